@@ -86,6 +86,15 @@ impl Invalid {
     }
 }
 
+/// Plain data of a scene file: its fields' types say their ranges, and `#[kind]` checks them.
+pub trait Ranges {
+    /// Whether each field is in its range.
+    ///
+    /// # Errors
+    /// Names the first field that is not.
+    fn check_ranges(&self) -> Result<(), Invalid>;
+}
+
 /// A number as people write it: without three hundred digits.
 pub fn shown(value: f64) -> String {
     let plain = value == 0.0 || (1e-6..1e16).contains(&value.abs());
@@ -171,6 +180,11 @@ pub fn within(
     }
     let [least, most] = [range.start(), range.end()].map(|&end| shown(end));
     Err(Invalid::field(field, format!("found {}, but {least} to {most} fit", shown(value))))
+}
+
+/// `value`, if it is a part of a whole.
+pub fn share(field: &str, value: f64) -> Result<f64, Invalid> {
+    within(field, value, 0.0..=1.0)
 }
 
 /// The indices of refraction of media. Fresnel's equations and the change of radiance square the

@@ -29,6 +29,10 @@
 //! explain
 //! ```
 
+// `#[kind]` for every module
+#[macro_use]
+extern crate kind;
+
 pub mod accel;
 pub mod background;
 pub mod bumps;

@@ -11,9 +11,6 @@ mod bvh;
 mod cells;
 mod grid;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::candidate::Candidate;
 use crate::math::{Aabb, BoxRay, Ray, Span};
 
@@ -21,8 +18,7 @@ pub(crate) use bvh::build;
 pub use cells::Cells;
 
 /// How the primitives are searched.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "acceleration methods")]
 pub enum Method {
     /// One after the other: the reference.

@@ -5,55 +5,46 @@ use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::images::{Drawn, Picture, color};
-use crate::invalid::{Invalid, finite, strength};
-use crate::kinds::{self, ImageSource, Resources};
-use crate::math::{Point, Step, Transform, Vector, atan2, cos, sin};
+use crate::invalid::{Invalid, Ranges};
+use crate::kinds::{ImageSource, Resources};
+use crate::math::{Finite, Point, Step, Strength, Transform, Vector, atan2, cos, sin};
 use crate::rgb::Rgb;
 use crate::textures::{Filtering, Mapping, Rule, Sampling};
 use formats::images::{Encoding, Texels};
 
 /// An image seen in every direction, infinitely far away. An environment light makes it shine: that
 /// draws texels in proportion to their radiance, and within a texel all points alike.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 #[schemars(rename = "SkyByImage", example = example())]
 pub struct Image {
     /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. Either this, or
     /// `drawn`, or `texels`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// In place of a file: an image drawn by a formula.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
     /// In place of a file: its colours, linear, row by row from the top down, as
     /// `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0], 1]]`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub texels: Option<Vec<Vec<Rgb>>>,
     /// Where in the image a direction is found.
-    #[serde(default)]
+    #[default]
     pub mapping: Dome,
     /// Which texels count; the nearest if left out.
-    #[serde(default)]
+    #[default]
     pub filtering: Filtering,
     /// What the numbers of a PNG, JPEG or PPM file mean; if left out, what a PNG file says of
     /// itself (sRGB, gAMA), else `srgb`. Those of HDR, EXR and PFM are linear.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
     /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has
     /// several.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<String>,
     /// The factor from the image's colours to radiance; not negative.
-    #[serde(default = "kinds::one")]
-    pub ls: f64,
+    #[default(1.0)]
+    pub ls: Strength,
     /// How far the sky is turned about the y axis, in degrees, as the step `rotate_y` turns an
     /// object.
-    #[serde(default)]
-    pub rotate_y: f64,
+    #[default]
+    pub rotate_y: Finite,
 }
 
 fn example() -> Image {
@@ -62,8 +53,7 @@ fn example() -> Image {
 
 /// Where in the image of a sky a direction is found: the mapping of chapter 29 on a sphere around
 /// the viewer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "mappings of skies")]
 pub enum Dome {
     /// u around from +z towards +x, v from straight down to straight up.
@@ -120,6 +110,7 @@ impl Image {
     /// # Errors
     /// [`Invalid`] names the field that does not fit.
     pub(super) fn build(&self, resources: &mut Resources) -> Result<ImageSky, Invalid> {
+        self.check_ranges()?;
         let texels = resources.texels(&ImageSource {
             file: self.file.as_deref(),
             drawn: self.drawn,
@@ -127,14 +118,14 @@ impl Image {
             encoding: self.encoding,
             layer: self.layer.as_deref(),
         })?;
-        let degrees = finite("rotate_y", self.rotate_y)?;
-        let turn = Transform::from_steps(&[Step::RotateY(degrees)]).expect("a turn has an inverse");
+        let turn = [Step::RotateY(self.rotate_y)];
+        let turn = Transform::from_steps(&turn).expect("a turn has an inverse");
         let (filtering, wraps) = (self.filtering, Mapping::from(self.mapping).wraps());
         Ok(ImageSky {
             texels,
             dome: self.mapping,
             sampling: Sampling { filtering, rule: Rule::Even, wraps },
-            ls: strength("ls", self.ls)?,
+            ls: self.ls,
             turn_back: turn.inverse(),
             turn,
         })

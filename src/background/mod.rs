@@ -9,9 +9,9 @@ use std::sync::Arc;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Field, Giving, Resources};
-use crate::math::{Length, Ray, sin};
+use crate::invalid::{Invalid, Ranges};
+use crate::kinds::{Field, Giving, Resources};
+use crate::math::{Distance, Ray, sin};
 use crate::rgb::Rgb;
 
 pub use directions::Directions;
@@ -29,8 +29,7 @@ pub enum Background {
 }
 
 /// A background that is not the same everywhere.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 #[schemars(title = "patterns")]
 pub enum Pattern {
     /// The waves of chapter 4 in the plane z = 0, which show what a sampler misses.
@@ -52,14 +51,12 @@ pub enum Sky {
 
 /// The test function of chapter 4: the grey `(1 + sin(x² y²))/2` where the ray meets the plane
 /// `z = 0`, whose waves become shorter without end along both axes. Black for rays that do not.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 #[schemars(example = Sinusoid { unit: 1.0 })]
 pub struct Sinusoid {
     /// The length in which x and y are measured; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub unit: f64,
+    #[default(1.0)]
+    pub unit: Distance,
 }
 
 impl Sky {
@@ -81,7 +78,8 @@ impl Background {
     pub fn build(&self, resources: &mut Resources) -> Result<Sky, Invalid> {
         match self {
             Self::Color(color) => color.checked("background").map(Sky::Color),
-            Self::Pattern(Pattern::Sinusoid(sinusoid)) => positive("unit", sinusoid.unit)
+            Self::Pattern(Pattern::Sinusoid(sinusoid)) => sinusoid
+                .check_ranges()
                 .map(|_| Sky::Sinusoid(sinusoid.clone()))
                 .map_err(|e| e.inside("sinusoid").inside("background")),
             Self::Pattern(Pattern::Image(image)) => image

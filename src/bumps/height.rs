@@ -2,32 +2,25 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Bump, Specification};
-use crate::invalid::{Invalid, finite, length};
-use crate::kinds::{self, Resources};
-use crate::math::{Frame, Length, Normal, Vector, power_of_two};
+use super::{Bump, Made, Specification, made};
+use crate::kinds::Resources;
+use crate::math::{Coordinate, Frame, Length, Normal, Vector, power_of_two};
 use crate::textures::{Kind, Texture, TexturePoint};
 
 /// The normals of a displaced surface: the red channel of a texture is the height `h` of each point
 /// along the normal, and `n' = n − ∇ₛh`, normalised, with the gradient along the surface. The
 /// texture may be a solid texture or an image. An image needs `bilinear` filtering, because nearest
 /// texels give steps, and `encoding = "linear"` if its numbers are heights.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Height {
     /// The texture whose red channel is the height.
     pub texture: Kind,
     /// The height where the red channel is 1, in the unit of the scene; negative for a dent.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub height: f64,
+    #[default(1.0)]
+    pub height: Coordinate,
     /// The step of the central differences for the slope, in the unit of the scene: much smaller
     /// than the texture's details; positive.
-    #[schemars(with = "Length")]
-    pub step: f64,
+    pub step: Length,
 }
 
 impl Height {
@@ -45,12 +38,12 @@ struct HeightBump {
 }
 
 impl Specification for Height {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
-        Ok(Arc::new(HeightBump {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(HeightBump {
             texture: self.texture.build(resources).map_err(|e| e.inside("texture"))?,
-            height: finite("height", self.height)?,
-            step: length("step", self.step)?,
-        }))
+            height: self.height,
+            step: self.step,
+        })
     }
 }
 

@@ -1,19 +1,13 @@
 //! The cylindrical panorama (an exercise of Suffern, ch. 11): vertical lines stay straight.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Camera, Specification, ViewPlane};
-use crate::invalid::{Invalid, angle, angle_below};
+use super::{Camera, Made, Specification, ViewPlane, made};
+use crate::invalid::{angle, angle_below};
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The x coordinate of the film is proportional to longitude, the y coordinate to the height on the
 /// unit cylinder about the v axis: the tangent of the latitude. Shapes near the horizon are not
 /// distorted if width / height is `λ_max` (in radians) / `tan ψ_max`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct CylindricalPanorama {
     /// The field of view from the left to the right edge, in degrees; above 0, at most 360.
     pub horizontal_fov: f64,
@@ -22,11 +16,11 @@ pub struct CylindricalPanorama {
 }
 
 impl Specification for CylindricalPanorama {
-    fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
+    fn make(&self, film: &mut ViewPlane) -> Made {
         let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
         let psi_max = 0.5 * angle_below("vertical_fov", self.vertical_fov, 180.0)?;
         let tan_psi_max = sin_degrees(psi_max) / cos_degrees(psi_max);
-        Ok(Arc::new(CylindricalPanoramaCamera { film: *film, lambda_max, tan_psi_max }))
+        made(CylindricalPanoramaCamera { film: *film, lambda_max, tan_psi_max })
     }
 }
 

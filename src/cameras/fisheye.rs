@@ -1,32 +1,25 @@
 //! The fisheye camera (Suffern, ch. 11): up to all directions in one disk.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Camera, Specification, ViewPlane};
-use crate::invalid::{Invalid, angle};
-use crate::kinds;
+use super::{Camera, Made, Specification, ViewPlane, made};
+use crate::invalid::angle;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The angle to the view direction is proportional to the distance from the centre of the picture.
 /// It is half the field of view at the circle (or ellipse) that touches the edges.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Fisheye {
     /// The full field of view in degrees, from edge to edge; above 0, at most 360.
     pub fov: f64,
     /// Whether the corners outside the circle show the scene, with angles up to 180 degrees. If
     /// not, they are black.
-    #[serde(default, skip_serializing_if = "kinds::is_no")]
+    #[optional]
     pub rectangular: bool,
 }
 
 impl Specification for Fisheye {
-    fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
+    fn make(&self, film: &mut ViewPlane) -> Made {
         let psi_max = 0.5 * angle("fov", self.fov, 360.0)?;
-        Ok(Arc::new(FisheyeCamera { film: *film, psi_max, rectangular: self.rectangular }))
+        made(FisheyeCamera { film: *film, psi_max, rectangular: self.rectangular })
     }
 }
 

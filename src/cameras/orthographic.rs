@@ -1,28 +1,19 @@
 //! The orthographic camera (Suffern, ch. 3): parallel rays.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Camera, Specification, ViewPlane};
-use crate::invalid::{Invalid, positive};
-use crate::kinds;
-use crate::math::{Point, Vector};
+use super::{Camera, Made, Specification, ViewPlane, made};
+use crate::math::{Point, Positive, Vector};
 
 /// Rays along −w from a plane through the eye.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Orthographic {
     /// The magnification; positive.
-    #[serde(default = "kinds::one")]
-    pub zoom: f64,
+    #[default(1.0)]
+    pub zoom: Positive,
 }
 
 impl Specification for Orthographic {
-    fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
-        positive("zoom", self.zoom)?;
-        Ok(Arc::new(self.clone()))
+    fn make(&self, _: &mut ViewPlane) -> Made {
+        made(self.clone())
     }
 }
 

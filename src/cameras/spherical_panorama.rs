@@ -1,20 +1,14 @@
 //! The spherical panorama (Suffern, ch. 11): film coordinates proportional to longitude and
 //! latitude.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Camera, Specification, ViewPlane};
-use crate::invalid::{Invalid, angle};
+use super::{Camera, Made, Specification, ViewPlane, made};
+use crate::invalid::angle;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The x coordinate of the film is proportional to longitude, the y coordinate to latitude, about
 /// the v axis. Shapes near the horizon are not distorted if the sides of the picture have the ratio
 /// of the two fields of view.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct SphericalPanorama {
     /// The field of view from the left to the right edge, in degrees; above 0, at most 360.
     pub horizontal_fov: f64,
@@ -23,10 +17,10 @@ pub struct SphericalPanorama {
 }
 
 impl Specification for SphericalPanorama {
-    fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
+    fn make(&self, film: &mut ViewPlane) -> Made {
         let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
         let psi_max = 0.5 * angle("vertical_fov", self.vertical_fov, 180.0)?;
-        Ok(Arc::new(SphericalPanoramaCamera { film: *film, lambda_max, psi_max }))
+        made(SphericalPanoramaCamera { film: *film, lambda_max, psi_max })
     }
 }
 

@@ -1,21 +1,17 @@
 //! Stereo pairs (Suffern, ch. 12): two eyes side by side, and the layout of their images in the
 //! picture.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::invalid::{Invalid, shown};
 use crate::math::{cos_degrees, sin_degrees};
 
 /// Two eyes side by side, and the layout of their two images in the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 #[schemars(example = Stereo { viewing: Viewing::Parallel, gap: 5, separation: 4.0 })]
 pub struct Stereo {
     /// How the pair is viewed.
     pub viewing: Viewing,
     /// The number of black pixel columns between the two images.
-    #[serde(default = "five")]
+    #[default(5)]
     pub gap: u32,
     /// The angle β between the directions from `look_at` to the two eyes, in degrees; at least 0,
     /// below 180.
@@ -23,8 +19,7 @@ pub struct Stereo {
 }
 
 /// How a stereo pair is viewed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 #[schemars(title = "viewings")]
 pub enum Viewing {
     /// Left image on the left: for parallel lines of sight.
@@ -34,17 +29,12 @@ pub enum Viewing {
 }
 
 /// One of the two eyes of a stereo pair.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 pub enum Side {
     /// At −x along u.
     Left,
     /// At +x along u.
     Right,
-}
-
-fn five() -> u32 {
-    5
 }
 
 impl Stereo {

@@ -1,43 +1,28 @@
 //! The thin-lens camera (Suffern, ch. 10): depth of field.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Camera, Specification, ViewPlane};
-use crate::invalid::{Invalid, not_negative, positive};
-use crate::kinds;
-use crate::math::{Length, Point, Vector};
+use super::{Camera, Made, Specification, ViewPlane, made};
+use crate::math::{Distance, Point, Positive, Vector, Width};
 
 /// A pinhole camera with a lens instead of a point: points at the focal distance are sharp, all
 /// others blurred.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct ThinLens {
     /// The distance from the lens to the view plane, the book's `d`, as for `pinhole`; positive.
-    #[schemars(with = "Length")]
-    pub distance: f64,
+    pub distance: Distance,
     /// The distance from the lens to the focal plane, the book's `f`; positive. Measured along −w,
     /// not along the ray.
-    #[schemars(with = "Length")]
-    pub focal_distance: f64,
+    pub focal_distance: Distance,
     /// The radius `R` of the lens, not negative. A larger lens gives more blur; 0 gives the pinhole
     /// camera.
-    #[schemars(with = "Length")]
-    pub lens_radius: f64,
+    pub lens_radius: Width,
     /// The magnification; positive.
-    #[serde(default = "kinds::one")]
-    pub zoom: f64,
+    #[default(1.0)]
+    pub zoom: Positive,
 }
 
 impl Specification for ThinLens {
-    fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
-        positive("distance", self.distance)?;
-        positive("focal_distance", self.focal_distance)?;
-        not_negative("lens_radius", self.lens_radius)?;
-        positive("zoom", self.zoom)?;
-        Ok(Arc::new(self.clone()))
+    fn make(&self, _: &mut ViewPlane) -> Made {
+        made(self.clone())
     }
 }
 

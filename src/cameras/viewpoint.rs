@@ -2,45 +2,39 @@
 
 use std::sync::Arc;
 
-use crate::kinds;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Camera, Kind, Side, Stereo, ViewPlane};
-use crate::invalid::{Invalid, finite, finite_point, finite_vector, positive};
+use crate::invalid::{Invalid, Ranges, finite_vector};
 use crate::materials::Medium;
-use crate::math::{Frame, Point, Ray, Vector, cos_degrees, sin_degrees};
+use crate::math::{Finite, Frame, Point, Positive, Ray, Vector, cos_degrees, sin_degrees};
 
 /// The camera: position, orientation and kind.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 #[schemars(rename = "Camera")]
 pub struct Viewpoint {
     /// The position of the camera.
     pub eye: Point,
     /// The point at the centre of the picture; not equal to `eye`.
-    #[serde(default)]
+    #[default]
     pub look_at: Point,
     /// The up vector; not zero.
-    #[serde(default = "up")]
+    #[default(Vector::Y)]
     pub up: Vector,
     /// The counter-clockwise rotation of the camera about the view direction, in degrees; the
     /// picture rotates clockwise.
-    #[serde(default)]
-    pub roll: f64,
+    #[default]
+    pub roll: Finite,
     /// Whether the coordinates of the scene are those of a right-handed renderer, as the book's, or
     /// of a left-handed one.
-    #[serde(default, skip_serializing_if = "Handedness::is_right")]
+    #[optional]
     pub handedness: Handedness,
     /// The factor of every pixel; positive.
-    #[serde(default = "kinds::one")]
-    pub exposure_time: f64,
+    #[default(1.0)]
+    pub exposure_time: Positive,
     /// The medium around the camera. Only its absorption is used: refraction depends on the indices
     /// of the surfaces' materials.
-    #[serde(default, skip_serializing_if = "is_air")]
+    #[optional]
     pub medium: Medium,
     /// Two eyes and two images instead of one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stereo: Option<Stereo>,
     /// The kind of camera.
     pub lens: Kind,
@@ -51,8 +45,7 @@ pub struct Viewpoint {
 /// The same numbers, read as left-handed coordinates, are the mirror image of the scene. So the
 /// picture of `left` is that of `right`, mirrored: +x is on the right for a camera that looks along
 /// +z. Normals and the order of the vertices of triangles stay as they are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "handedness")]
 pub enum Handedness {
     /// x × y = z, as in the book: +x is on the right for a camera that looks along −z.
@@ -67,14 +60,6 @@ impl Handedness {
     pub fn is_right(&self) -> bool {
         *self == Self::Right
     }
-}
-
-fn up() -> Vector {
-    Vector::Y
-}
-
-fn is_air(medium: &Medium) -> bool {
-    *medium == Medium::default()
 }
 
 /// A built camera in the world.
@@ -104,7 +89,7 @@ pub struct Eye {
 impl Viewpoint {
     /// A camera with the book's defaults: upright, exposure 1, in air.
     pub fn new(eye: Point, look_at: Point, lens: impl Into<Kind>) -> Self {
-        let (up, medium, lens) = (up(), Medium::default(), lens.into());
+        let (up, medium, lens) = (Vector::Y, Medium::default(), lens.into());
         let handedness = Handedness::Right;
         Self {
             eye,
@@ -124,8 +109,7 @@ impl Viewpoint {
     /// # Errors
     /// [`Invalid`] names the invalid field.
     pub fn build(&self, film: ViewPlane) -> Result<View, Invalid> {
-        finite_point("eye", self.eye)?;
-        finite_point("look_at", self.look_at)?;
+        self.check_ranges()?;
         let up = finite_vector("up", self.up)?;
         if up == Vector::ZERO {
             return Err(Invalid::field("up", "found a zero vector, but it must point somewhere"));
@@ -136,9 +120,7 @@ impl Viewpoint {
             let problem = format!("found {found:?}, which is the eye: there is no view direction");
             return Err(Invalid::field("look_at", problem));
         }
-        finite("roll", self.roll)?;
-        let exposure_time = positive("exposure_time", self.exposure_time)?;
-        let medium = self.medium.checked("medium")?;
+        let (exposure_time, medium) = (self.exposure_time, self.medium.checked("medium")?);
         let camera = self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?;
         let frame = rolled(upright(back, up), self.roll);
         let u = if self.handedness.is_right() { frame.u } else { -frame.u };

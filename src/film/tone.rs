@@ -2,14 +2,10 @@
 
 use std::fmt;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::rgb::Rgb;
 
 /// What becomes of a colour with a channel above 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "out of gamut rules")]
 pub enum OutOfGamut {
     /// Divided by its largest channel, which keeps its hue.

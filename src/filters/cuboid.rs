@@ -1,22 +1,15 @@
 //! The box filter (Suffern, ch. 4): the mean over the pixel.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Filter, Specification};
-use crate::invalid::Invalid;
+use super::{Filter, Made, Specification, made};
 
 /// 1 within the pixel, 0 outside.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 #[schemars(rename = "BoxFilter")]
 pub struct Box {}
 
 impl Specification for Box {
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
-        Ok(Arc::new(self.clone()))
+    fn make(&self, (): &mut ()) -> Made {
+        made(self.clone())
     }
 }
 

@@ -1,45 +1,32 @@
 //! The truncated Gaussian filter.
 
 use std::f64::consts::{PI, SQRT_2};
-use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Filter, Specification, inverse};
-use crate::invalid::{Invalid, positive};
-use crate::math::{erf, exp};
+use super::{Filter, Made, Specification, inverse, made};
+use crate::invalid::Invalid;
+use crate::math::{Positive, erf, exp};
 
 /// `c exp(−x²/2σ²)` within the radius.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Gaussian {
     /// The standard deviation σ, in pixels; at least a hundredth of the radius.
-    #[serde(default = "half")]
-    pub sigma: f64,
+    #[default(0.5)]
+    pub sigma: Positive,
     /// The radius in pixels: positive, at most 16.
-    #[serde(default = "three_halves")]
+    #[default(1.5)]
     pub radius: f64,
 }
 
-fn half() -> f64 {
-    0.5
-}
-
-fn three_halves() -> f64 {
-    1.5
-}
-
 impl Specification for Gaussian {
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
+    fn make(&self, (): &mut ()) -> Made {
         let radius = super::radius(self.radius)?;
-        let sigma = positive("sigma", self.sigma)?;
+        let sigma = self.sigma;
         if sigma < 0.01 * radius {
             let problem = format!("found {sigma}, less than a hundredth of the radius {radius}");
             return Err(Invalid::field("sigma", problem));
         }
         let end = radius / (SQRT_2 * sigma);
-        Ok(Arc::new(GaussianFilter { radius, scale: SQRT_2 * sigma, end, whole: erf(end) }))
+        made(GaussianFilter { radius, scale: SQRT_2 * sigma, end, whole: erf(end) })
     }
 }
 

@@ -1,37 +1,26 @@
 //! The filter of Mitchell and Netravali ("Reconstruction Filters in Computer Graphics", 1988): it
 //! sharpens, by counting what lies farther out negatively.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Filter, Specification, inverse};
-use crate::invalid::{Invalid, within};
+use super::{Filter, Made, Specification, inverse, made};
+use crate::math::Share;
 
 /// Two cubics, for `|x| < 1` and `1 ≤ |x| < 2` pixels (equation 8 of the paper).
 ///
 /// Samples that count negatively add noise, even where nothing changes: of a level grey, 64
 /// jittered samples are off by 7 %, multi-jittered or Sobol ones by 2 %.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Mitchell {
     /// The share of blur: 1 and c = 0 is the cubic B-spline. In `[0, 1]`.
-    #[serde(default = "third")]
-    pub b: f64,
+    #[default(1.0 / 3.0)]
+    pub b: Share,
     /// The share of ringing: b = 0 and c = ½ is the spline of Catmull and Rom. In `[0, 1]`.
-    #[serde(default = "third")]
-    pub c: f64,
-}
-
-/// The paper's recommendation: `b + 2c = 1`.
-fn third() -> f64 {
-    1.0 / 3.0
+    #[default(1.0 / 3.0)]
+    pub c: Share,
 }
 
 impl Specification for Mitchell {
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
-        let (b, c) = (within("b", self.b, 0.0..=1.0)?, within("c", self.c, 0.0..=1.0)?);
+    fn make(&self, (): &mut ()) -> Made {
+        let Self { b, c } = *self;
         let inner = [6.0 - 2.0 * b, 0.0, -18.0 + 12.0 * b + 6.0 * c, 12.0 - 9.0 * b - 6.0 * c];
         let outer = [8.0 * b + 24.0 * c, -12.0 * b - 48.0 * c, 6.0 * b + 30.0 * c, -b - 6.0 * c];
         // the outer cubic is −(b + 6c) (x − 2)² (x − zero) / 6
@@ -40,7 +29,7 @@ impl Specification for Mitchell {
         let mut built = MitchellFilter { inner, outer, zero, positive: 0.0, mass: 0.0 };
         built.positive = built.integral(zero);
         built.mass = built.absolute(2.0);
-        Ok(Arc::new(built))
+        made(built)
     }
 }
 

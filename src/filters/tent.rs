@@ -1,28 +1,20 @@
 //! The tent filter: it falls linearly from the pixel's centre.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Filter, Specification};
-use crate::invalid::Invalid;
-use crate::kinds;
+use super::{Filter, Made, Specification, made};
 
 /// `(1 − |x|/r)/r` within the radius `r`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Tent {
     /// The radius in pixels: positive, at most 16. At 1 the tents of all pixels add up to 1
     /// everywhere.
-    #[serde(default = "kinds::one")]
+    #[default(1.0)]
     pub radius: f64,
 }
 
 impl Specification for Tent {
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
+    fn make(&self, (): &mut ()) -> Made {
         super::radius(self.radius)?;
-        Ok(Arc::new(self.clone()))
+        made(self.clone())
     }
 }
 

@@ -1,9 +1,10 @@
 //! Kinds: how one file and one entry add a shape, camera, sampler, light, material or texture.
 //!
-//! A kind's file holds plain data that a scene file can say, and its `Specification`, which checks
-//! it and builds the thing itself. The list in the folder's `mod.rs`, written with
-//! [`kinds!`](crate::kinds!), makes of all of them one enum, and gives each its tag. The folder's
-//! `specimens.toml` has valid examples of each, for contracts, docs, exporters and fuzz bodies.
+//! A kind's file holds plain data that a scene file can say, marked by `#[kind]` (package `kind`),
+//! and its `Specification`, which makes the thing itself of it. The list in the folder's `mod.rs`,
+//! written with [`kinds!`](crate::kinds!), makes of all of them one enum, and gives each its tag.
+//! The folder's `specimens.toml` has valid examples of each, for contracts, docs, exporters and
+//! fuzz bodies.
 
 mod field;
 mod resources;
@@ -125,21 +126,34 @@ macro_rules! kinds {
     ) => {
         $(pub use $module::$Data;)*
 
+        /// A thing of this list, or what is wrong with the data that describe it.
+        pub type Made = Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid>;
+
+        pub(crate) fn made(it: impl $Trait + 'static) -> Made {
+            Ok(::std::sync::Arc::new(it))
+        }
+
         /// Plain data that describes one thing of this list.
-        pub trait Specification {
+        pub trait Specification: $crate::invalid::Ranges {
             /// What a light adds at a hit, or a surface of a material sends to the viewer, as a
             /// formula for people who build the scene in another renderer; empty for kinds of other
             /// lists, whose fields say all.
             const FORMULA: &'static str = "";
 
+            /// Makes the thing, from fields that are in their ranges.
+            ///
+            /// # Errors
+            /// Names the field that does not fit the others, or the context.
+            fn make(&self, context: &mut $Context) -> Made;
+
             /// Checks the data and builds.
             ///
             /// # Errors
             /// [`Invalid`]($crate::invalid::Invalid) names the field that does not fit.
-            fn build(
-                &self,
-                context: &mut $Context,
-            ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid>;
+            fn build(&self, context: &mut $Context) -> Made {
+                self.check_ranges()?;
+                self.make(context)
+            }
         }
 
         $(#[doc = $doc])*
@@ -204,10 +218,7 @@ macro_rules! kinds {
             ///
             /// # Errors
             /// [`Invalid`](crate::invalid::Invalid) names the field that does not fit.
-            pub fn build(
-                &self,
-                context: &mut $Context,
-            ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid> {
+            pub fn build(&self, context: &mut $Context) -> Made {
                 let (built, name, given): (_, &str, &[&str]) = match self {
                     $(Self::$Data(data) => (
                         Specification::build(data, context),
@@ -223,24 +234,9 @@ macro_rules! kinds {
     };
 }
 
-/// The default of many factors in scene files.
+/// The default of many factors.
 pub fn one() -> f64 {
     1.0
-}
-
-/// The default of switches that are mostly on.
-pub(crate) fn yes() -> bool {
-    true
-}
-
-/// Whether a switch that is mostly on need not be written.
-pub(crate) fn is_yes(it: &bool) -> bool {
-    *it
-}
-
-/// Whether a switch that is mostly off need not be written.
-pub(crate) fn is_no(it: &bool) -> bool {
-    !*it
 }
 
 /// The default of many colours in scene files.

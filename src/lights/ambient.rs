@@ -1,24 +1,17 @@
 //! Ambient light (Suffern, ch. 14).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Specification};
-use crate::invalid::{Invalid, strength};
-use crate::kinds;
+use super::{Context, Light, LightContext, LightSample, Made, Specification, made};
+use crate::math::Strength;
 use crate::rgb::Rgb;
 
 /// The same radiance `ls · color` everywhere and from everywhere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Ambient {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
-    pub ls: f64,
+    #[default(1.0)]
+    pub ls: Strength,
     /// The colour of the light.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
 }
 
@@ -32,9 +25,9 @@ impl Specification for Ambient {
         adds ρa · ls · color, where ρa is the ambient reflectance of the material. Nothing blocks \
         it, and the normal does not matter: the back of a surface gets it too.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        let radiance = strength("ls", self.ls)? * self.color.checked("color")?;
-        Ok(Arc::new(Constant { radiance }))
+    fn make(&self, _: &mut Context) -> Made {
+        let radiance = self.ls * self.color.checked("color")?;
+        made(Constant { radiance })
     }
 }
 

@@ -1,49 +1,34 @@
 //! The ambient occluder (Suffern, ch. 17): ambient light that objects nearby hold off.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Segment, Specification, Target};
-use crate::invalid::{Invalid, length, strength, within};
-use crate::kinds;
-use crate::math::{Frame, Length, maps};
+use super::{
+    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, made,
+};
+use crate::invalid::Invalid;
+use crate::math::{Frame, Length, Share, Strength, maps};
 use crate::rgb::Rgb;
 
 /// Ambient light `ls · color` where nothing is in the way, and a share of it where something is:
 /// each sample looks in one direction, distributed by the cosine, so that the mean is the visible
 /// share of the hemisphere. It meets the ambient reflectance `ka` of materials. The hemisphere is
 /// that of the normal: open surfaces that are seen from behind need a two-sided material.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Default, PartialEq)]
 pub struct AmbientOccluder {
     /// Multiplies both colours; not negative.
-    #[serde(default = "kinds::one")]
-    pub ls: f64,
+    #[default(1.0)]
+    pub ls: Strength,
     /// The colour of the light where nothing is in the way.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
     /// The share of light where something is, from 0 to 1.
-    #[serde(default)]
-    pub min_amount: f64,
+    #[default]
+    pub min_amount: Share,
     /// The colour of the light where something is, which `min_amount` multiplies; `color` if left
     /// out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub occluded_color: Option<Rgb>,
     /// Objects farther away than this are not in the way; positive. Without end if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Option<Length>")]
-    pub max_distance: Option<f64>,
-}
-
-impl Default for AmbientOccluder {
-    /// White, and black where something is in the way.
-    fn default() -> Self {
-        let color = Rgb::WHITE;
-        Self { ls: 1.0, color, min_amount: 0.0, occluded_color: None, max_distance: None }
-    }
+    pub max_distance: Option<Length>,
 }
 
 #[derive(Debug)]
@@ -61,18 +46,16 @@ impl Specification for AmbientOccluder {
         nearer than max_distance, or where the direction is below the true surface. If the light \
         casts no shadows, V is ls · color.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        let ls = strength("ls", self.ls)?;
-        let open = ls * self.color.checked("color")?;
+    fn make(&self, _: &mut Context) -> Made {
+        let open = self.ls * self.color.checked("color")?;
         let occluded = self.occluded_color.unwrap_or(self.color).checked("occluded_color")?;
-        let min_amount = within("min_amount", self.min_amount, 0.0..=1.0)?;
-        if self.occluded_color.is_some() && min_amount == 0.0 {
+        if self.occluded_color.is_some() && self.min_amount == 0.0 {
             let problem =
                 "found 0, by which `occluded_color` is multiplied: with 1 it is seen as it is";
             return Err(Invalid::field("min_amount", problem));
         }
-        let max_distance = self.max_distance.map(|far| length("max_distance", far)).transpose()?;
-        Ok(Arc::new(Occluder { open, occluded: min_amount * (ls * occluded), max_distance }))
+        let occluded = self.min_amount * (self.ls * occluded);
+        made(Occluder { open, occluded, max_distance: self.max_distance })
     }
 }
 

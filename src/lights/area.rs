@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Segment, Specification, Target, Unlit};
+use super::{
+    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, Unlit, made,
+};
 use crate::invalid::Invalid;
 use crate::materials::Emission;
 use crate::math::{self, UNIT_ROUNDOFF, Vector};
@@ -16,15 +15,13 @@ use formats::printable;
 
 /// The light of an emissive object, whose surface is sampled: soft shadows. Its radiance is that of
 /// the object's material, on the side of the true normal. Switched off, the object is dark too.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Area {
     /// The `name` of the object: a rectangle, disk, sphere, triangle, mesh, tessellated sphere or
     /// an instance of one. Its material is emissive.
     pub object: String,
     /// How its surface is sampled. If left out: by solid angle where that is known (spheres,
     /// rectangles, and instances of them that keep angles), else by area, as in the book.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampling: Option<Sampling>,
 }
 
@@ -52,7 +49,7 @@ impl Specification for Area {
         draws one point; how it is drawn changes the noise only. Switched off, the object is \
         black.";
 
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let name = &self.object;
         let shown = printable::name(name);
         let object = context.object(name).map_err(|e| e.inside("object"))?;
@@ -77,7 +74,7 @@ impl Specification for Area {
             return Err(Invalid::field(field, problem));
         };
         let (shape, two_sided) = (Arc::clone(&object.shape), object.two_sided);
-        Ok(Arc::new(Lamp { object: name.clone(), shape, surface, emission, two_sided }))
+        made(Lamp { object: name.clone(), shape, surface, emission, two_sided })
     }
 }
 

@@ -1,25 +1,18 @@
 //! The directional light (Suffern, ch. 14): parallel rays from infinitely far away.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Segment, Specification};
-use crate::invalid::{Invalid, direction, strength};
-use crate::kinds;
-use crate::math::Vector;
+use super::{Context, Light, LightContext, LightSample, Made, Segment, Specification, made};
+use crate::invalid::direction;
+use crate::math::{Strength, Vector};
 use crate::rgb::Rgb;
 
 /// Light `ls · color` from one direction.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Directional {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
-    pub ls: f64,
+    #[default(1.0)]
+    pub ls: Strength,
     /// The colour of the light.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
     /// From the scene towards the light; not zero, need not be unit.
     pub direction: Vector,
@@ -36,11 +29,11 @@ impl Specification for Directional {
         adds f(ωi, ωo) · ls · color · cosθ with ωi = direction / |direction|, unless an object \
         blocks the half-line from the hit along ωi.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        Ok(Arc::new(Parallel {
-            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
+    fn make(&self, _: &mut Context) -> Made {
+        made(Parallel {
+            radiance: self.ls * self.color.checked("color")?,
             direction: direction("direction", self.direction)?.into(),
-        }))
+        })
     }
 }
 

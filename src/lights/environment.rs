@@ -3,10 +3,9 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Segment, Specification, Target, Unlit};
+use super::{
+    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, Unlit, made,
+};
 use crate::background::{Directions, ImageSky, Sky};
 use crate::invalid::Invalid;
 use crate::math::{Frame, maps};
@@ -16,8 +15,7 @@ use crate::rgb::Rgb;
 /// colour, for an image texels in proportion to their radiance and within a texel all points alike.
 /// It has no radiance of its own, so that the sky is written once. Switched off, the sky is still
 /// seen. (The book's light has a material, and a huge sphere of it is the sky.)
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Environment {}
 
 /// A sky of one colour, sampled by the cosine.
@@ -39,12 +37,12 @@ impl Specification for Environment {
         nothing is hit, where B is the background. Each sample draws one direction; how it is \
         drawn changes the noise only.";
 
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         match &context.background {
-            Sky::Color(color) => Ok(Arc::new(Uniform { color: *color })),
+            Sky::Color(color) => made(Uniform { color: *color }),
             Sky::Image(sky) => {
                 let directions = Directions::new(sky);
-                Ok(Arc::new(Imaged { sky: Arc::clone(sky), directions }))
+                made(Imaged { sky: Arc::clone(sky), directions })
             }
             Sky::Sinusoid(_) => {
                 let problem = "the background depends on where a ray starts, so it is no sky; a \

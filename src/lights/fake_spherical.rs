@@ -1,39 +1,30 @@
 //! The fake spherical light (Suffern, ch. 18): a jittered point light.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::jittered_directional::in_cube;
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Specification, Unlit};
-use crate::invalid::{Invalid, finite_point, not_negative, strength};
-use crate::kinds;
-use crate::math::{self, Length};
+use super::{Context, Light, LightContext, LightSample, Made, Specification, Unlit, made};
+use crate::math::{self, NonNegative, Strength, Width};
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place for each sample, which is moved by at most `jitter`
 /// along each axis. An approximation of a spherical lamp, from before there were area lights: the
 /// places fill a cube, and none of them is seen.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct FakeSpherical {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
+    #[default(1.0)]
     #[schemars(extend("x-dimension" = "length^attenuation"))]
-    pub ls: f64,
+    pub ls: Strength,
     /// The colour of the light.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
     /// The middle of the places.
     pub location: math::Point,
     /// How far a place is from the middle along each axis at most, `r` in the book; not negative.
-    #[schemars(with = "Length")]
-    pub jitter: f64,
+    pub jitter: Width,
     /// The exponent `k` of the distance, not negative; as of `point`.
-    #[serde(default)]
-    pub attenuation: f64,
+    #[default]
+    pub attenuation: NonNegative,
 }
 
 #[derive(Debug)]
@@ -50,13 +41,13 @@ impl Specification for FakeSpherical {
         where a, b and c are independent and uniform from -1 to 1: f(ωi, ωo) · ls · color / \
         d^attenuation · cosθ where no object blocks the segment of length d.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        Ok(Arc::new(JitteredPoint {
-            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
-            location: finite_point("location", self.location)?,
-            jitter: not_negative("jitter", self.jitter)?,
-            attenuation: not_negative("attenuation", self.attenuation)?,
-        }))
+    fn make(&self, _: &mut Context) -> Made {
+        made(JitteredPoint {
+            radiance: self.ls * self.color.checked("color")?,
+            location: self.location,
+            jitter: self.jitter,
+            attenuation: self.attenuation,
+        })
     }
 }
 

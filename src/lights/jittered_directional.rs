@@ -1,31 +1,24 @@
 //! The jittered directional light (Suffern, ch. 18): a sun with soft shadows, as an approximation.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Segment, Specification};
-use crate::invalid::{Invalid, direction, not_negative, strength};
-use crate::kinds;
-use crate::math::Vector;
+use super::{Context, Light, LightContext, LightSample, Made, Segment, Specification, made};
+use crate::invalid::direction;
+use crate::math::{NonNegative, Strength, Vector};
 use crate::rgb::Rgb;
 
 /// Light `ls · color` from one direction for each sample, which is moved by at most `jitter` along
 /// each axis. An approximation of a sun: the directions fill a cube, not a disk.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct JitteredDirectional {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
-    pub ls: f64,
+    #[default(1.0)]
+    pub ls: Strength,
     /// The colour of the light.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
     /// From the scene towards the light; not zero, need not be unit.
     pub direction: Vector,
     /// How far the unit direction is moved along each axis, `r` in the book; not negative.
-    pub jitter: f64,
+    pub jitter: NonNegative,
 }
 
 #[derive(Debug)]
@@ -41,12 +34,12 @@ impl Specification for JitteredDirectional {
         jitter · (a, b, c), normalised, where a, b and c are independent and uniform from -1 to 1: \
         f(ωi, ωo) · ls · color · cosθ where no object blocks the half-line along ωi.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        Ok(Arc::new(Jittered {
-            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
+    fn make(&self, _: &mut Context) -> Made {
+        made(Jittered {
+            radiance: self.ls * self.color.checked("color")?,
             direction: direction("direction", self.direction)?.into(),
-            jitter: not_negative("jitter", self.jitter)?,
-        }))
+            jitter: self.jitter,
+        })
     }
 }
 

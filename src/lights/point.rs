@@ -1,33 +1,25 @@
 //! The point light (Suffern, ch. 14), with the distance attenuation of its exercises.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Context, Light, LightContext, LightSample, Segment, Specification, Unlit};
-use crate::invalid::{Invalid, finite_point, not_negative, strength};
-use crate::kinds;
-use crate::math::{Point, power};
+use super::{Context, Light, LightContext, LightSample, Made, Segment, Specification, Unlit, made};
+use crate::math::{NonNegative, Point, Strength, power};
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place, `d` the distance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct PointLight {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
+    #[default(1.0)]
     #[schemars(extend("x-dimension" = "length^attenuation"))]
-    pub ls: f64,
+    pub ls: Strength,
     /// The colour of the light.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
     /// Where it is.
     pub location: Point,
     /// The exponent `k` of the distance, not negative: 0, the book's default, for the same light at
     /// every distance; 2 for real lamps, whose `ls` must then be as large as the distance squared.
-    #[serde(default)]
-    pub attenuation: f64,
+    #[default]
+    pub attenuation: NonNegative,
 }
 
 #[derive(Debug)]
@@ -44,12 +36,12 @@ impl Specification for PointLight {
         attenuation 0 the light does not weaken with distance; nothing is divided by 4π or by π \
         beyond what f has.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
-        Ok(Arc::new(PointSource {
-            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
-            location: finite_point("location", self.location)?,
-            attenuation: not_negative("attenuation", self.attenuation)?,
-        }))
+    fn make(&self, _: &mut Context) -> Made {
+        made(PointSource {
+            radiance: self.ls * self.color.checked("color")?,
+            location: self.location,
+            attenuation: self.attenuation,
+        })
     }
 }
 

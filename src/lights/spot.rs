@@ -1,28 +1,21 @@
 //! The spot light: not in the book.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Specification, Unlit};
-use crate::invalid::{Invalid, direction, finite_point, not_negative, strength, within};
-use crate::kinds;
-use crate::math::{self, Normal, Vector, atan2, to_degrees};
+use super::{Context, Light, LightContext, LightSample, Made, Specification, Unlit, made};
+use crate::invalid::{direction, within};
+use crate::math::{self, NonNegative, Normal, Strength, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
 
 /// A point light that shines into a cone: all of `ls · color / d^k` up to `inner` degrees from its
 /// axis, none from `outer` on, and a smooth step between.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Spot {
     /// Multiplies the colour; not negative.
-    #[serde(default = "kinds::one")]
+    #[default(1.0)]
     #[schemars(extend("x-dimension" = "length^attenuation"))]
-    pub ls: f64,
+    pub ls: Strength,
     /// The colour of the light.
-    #[serde(default = "kinds::white::<Rgb>")]
+    #[default(Rgb::WHITE)]
     pub color: Rgb,
     /// Where it is.
     pub location: math::Point,
@@ -34,8 +27,8 @@ pub struct Spot {
     /// the edge is sharp.
     pub outer: f64,
     /// The exponent `k` of the distance, not negative; as of `point`.
-    #[serde(default)]
-    pub attenuation: f64,
+    #[default]
+    pub attenuation: NonNegative,
 }
 
 #[derive(Debug)]
@@ -55,16 +48,16 @@ impl Specification for Spot {
         angle α in degrees between -ωi and `direction`, s is 1 for α ≤ inner, 0 for α ≥ outer, and \
         (outer - α) / (outer - inner) between.";
 
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         let outer = within("outer", self.outer, 0.0..=180.0)?;
-        Ok(Arc::new(Cone {
-            radiance: strength("ls", self.ls)? * self.color.checked("color")?,
-            location: finite_point("location", self.location)?,
+        made(Cone {
+            radiance: self.ls * self.color.checked("color")?,
+            location: self.location,
             axis: direction("direction", self.direction)?,
             inner: within("inner", self.inner, 0.0..=outer)?,
             outer,
-            attenuation: not_negative("attenuation", self.attenuation)?,
-        }))
+            attenuation: self.attenuation,
+        })
     }
 }
 

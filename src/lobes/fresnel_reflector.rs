@@ -1,15 +1,12 @@
 //! The Fresnel reflector (Suffern, ch. 28): a mirror whose strength depends on the angle.
 
-use serde::{Deserialize, Serialize};
-
 use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, fresnel, mirrored, relative};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
 /// Light from the mirror direction, by Fresnel's equations; all of it on total internal reflection.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct FresnelReflector {
     /// The index of refraction inside over the one outside.
     pub eta: f64,

@@ -1,7 +1,5 @@
 //! The Fresnel transmitter (Suffern, ch. 28): refraction whose strength depends on the angle.
 
-use serde::{Deserialize, Serialize};
-
 use super::{
     Branch, Claims, Factor, LobeSample, Scatter, Scattered, fresnel, normal_towards, refract,
     relative,
@@ -11,8 +9,7 @@ use crate::math::Vector;
 use crate::rgb::Rgb;
 
 /// Light from the refracted direction, by Fresnel's equations, times the `1/η²` of radiance.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct FresnelTransmitter {
     /// The index of refraction inside over the one outside.
     pub eta: f64,

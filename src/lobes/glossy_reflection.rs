@@ -2,9 +2,6 @@
 
 use std::f64::consts::PI;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, cosine_power, drawn};
 use crate::invalid::Invalid;
 use crate::math::Vector;
@@ -12,8 +9,7 @@ use crate::rgb::Rgb;
 
 /// Light from about the mirror direction, with the density `p` of a cosine power; rays are traced
 /// for it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct GlossyReflection {
     /// `k_r c_r`.
     pub reflectance: Rgb,
@@ -24,8 +20,7 @@ pub struct GlossyReflection {
 }
 
 /// What the light along a ray of glossy reflection counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "rules of glossy reflection")]
 pub enum GlossyRule {
     /// The reflectance, as in the book: `f = k_r c_r p(ω_i)/cosθ_i`. A ray that would go below the

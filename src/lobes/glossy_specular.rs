@@ -2,8 +2,6 @@
 
 use std::f64::consts::PI;
 
-use serde::{Deserialize, Serialize};
-
 use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, cosine_power, drawn};
 use crate::invalid::Invalid;
 use crate::math::Vector;
@@ -11,8 +9,7 @@ use crate::rgb::Rgb;
 
 /// `f = k_s c_s (r·ω_o)^e`, `r` the mirror image of `ω_i`; no normalising factor, as in the book,
 /// so that a broad lobe (small `e`) can send out more light than arrives.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct GlossySpecular {
     /// `k_s c_s`.
     pub reflectance: Rgb,

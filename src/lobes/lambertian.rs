@@ -2,16 +2,13 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
-use serde::{Deserialize, Serialize};
-
 use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered};
 use crate::invalid::Invalid;
 use crate::math::{Vector, maps};
 use crate::rgb::Rgb;
 
 /// `f = ρ/π` on the outer side, nothing on the inner.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct Lambertian {
     /// `ρ = k_d c_d`.
     pub reflectance: Rgb,

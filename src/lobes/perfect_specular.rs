@@ -1,7 +1,5 @@
 //! The perfect mirror (Suffern, ch. 24).
 
-use serde::{Deserialize, Serialize};
-
 use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, mirrored};
 use crate::invalid::Invalid;
 use crate::math::Vector;
@@ -11,8 +9,7 @@ use crate::rgb::Rgb;
 ///
 /// The book divides by `n·ω_i` and multiplies by it again; seen from behind, where the product is
 /// negative, its mirrors send out negative radiance. Here the two cancel before they are formed.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct PerfectSpecular {
     /// `k_r c_r`.
     pub reflectance: Rgb,

@@ -1,7 +1,5 @@
 //! The perfect transmitter (Suffern, ch. 27): refraction with a constant weight.
 
-use serde::{Deserialize, Serialize};
-
 use super::refract::cos_refracted;
 use super::{
     Branch, Claims, Factor, LobeSample, Scatter, Scattered, normal_towards, refract, relative,
@@ -12,8 +10,7 @@ use crate::rgb::Rgb;
 
 /// All light from the refracted direction. Radiance changes by `1/η²` where it crosses into a
 /// medium of relative index η, as seen along the ray.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq)]
 pub struct PerfectTransmitter {
     /// `k_t`.
     pub transmittance: f64,

@@ -1,32 +1,25 @@
 //! The dielectric (Suffern, ch. 28): realistic transparency with colour filtering.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::phong::{self, Phong};
 use super::{
-    Boundary, Material, Medium, Reflectance, Response, Specification, TexturedField,
+    Boundary, Made, Material, Medium, Reflectance, Response, Specification, TexturedField, made,
     reflectances_within, within,
 };
-use crate::invalid::Invalid;
 use crate::kinds::Resources;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
 use crate::textures::TexturePoint;
 
 /// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and
 /// absorption on either side. It needs `whitted` or a path tracer.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Default)]
 pub struct Dielectric {
     /// The fields of `phong`, for highlights of the direct light; none if left out.
-    #[serde(default)]
+    #[default]
     pub phong: Phong,
     /// The medium on the inner side, as `{ eta = 1.5 }` for clear glass.
     pub inside: Medium,
     /// The medium on the outer side, to which the normal points; air if left out.
-    #[serde(default)]
+    #[default]
     pub outside: Medium,
 }
 
@@ -46,13 +39,13 @@ impl Specification for Dielectric {
         = h sinθt. R = (a² + b²)/2 with a = (h cosθ - cosθt)/(h cosθ + cosθt) and b = (cosθ - h \
         cosθt)/(cosθ + h cosθt); on total reflection (sinθ > h) R = 1.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let (inside, outside) = (self.inside.checked("inside")?, self.outside.checked("outside")?);
-        Ok(Arc::new(DielectricMaterial {
+        made(DielectricMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             eta: inside.eta / outside.eta,
             boundary: Boundary { inside, outside },
-        }))
+        })
     }
 }
 

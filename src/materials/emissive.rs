@@ -1,33 +1,25 @@
 //! The emissive material (Suffern, ch. 18 and 24): a surface that shines.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::matte::{self, Matte};
 use super::{
-    Material, Reflectance, Response, Specification, TexturedField, reflectances_within, textured,
-    within,
+    Made, Material, Reflectance, Response, Specification, TexturedField, made, reflectances_within,
+    textured, within,
 };
-use crate::invalid::Invalid;
 use crate::kinds::{self, Resources};
 use crate::materials::Emission;
 use crate::textures::{Amount, Paint, TexturePoint};
 
 /// Radiance `ls · ce` in every direction on the outer side; black on the inner, unless the material
 /// is two-sided.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Emissive {
     /// Multiplies the colour; not negative.
-    #[serde(default = "Amount::one")]
+    #[default(Amount::one())]
     pub ls: Amount,
     /// The colour of the light it sends out.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub ce: Paint,
     /// The fields of `matte`, for a surface that reflects as well; nothing if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub matte: Option<Matte>,
 }
 
@@ -49,12 +41,12 @@ impl Specification for Emissive {
         adds ls · ce towards every viewer on the side that the normal points to, at any distance \
         and angle. With `matte` in it, also ρa and f of `matte`; otherwise both are 0.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let ls = self.ls.build("ls", resources)?;
         let ce = self.ce.build("ce", resources)?;
         let matte = self.matte.as_ref().map(|matte| matte.check(resources)).transpose();
         let matte = matte.map_err(|e| e.inside("matte"))?;
-        Ok(Arc::new(Shining { emission: Emission { ls, ce }, matte }))
+        made(Shining { emission: Emission { ls, ce }, matte })
     }
 }
 

@@ -1,39 +1,32 @@
 //! The glossy reflector (Suffern, ch. 25): a blurred mirror over Phong shading.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::phong::{self, Phong};
 use super::{
-    Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
-    reflectances_within, textured, within,
+    Made, Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
+    made, reflectances_within, textured, within,
 };
-use crate::invalid::Invalid;
 use crate::kinds::{self, Resources};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A blurred mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path
 /// tracer, and some samples a pixel: each looks in one direction.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct GlossyReflector {
     /// The fields of `phong`, for what is under the mirror; nothing if left out. Its exponent is
     /// that of the highlights.
-    #[serde(default)]
+    #[default]
     pub phong: Phong,
     /// The share of light that is reflected, from 0 to 1 mostly; not negative.
     pub kr: Amount,
     /// The colour of the reflection.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub cr: Paint,
     /// The exponent `e` of the reflection, from 0 to 1e15: 10 blurs all but the nearest, 10000
     /// hardly anything.
     pub exponent: Amount,
     /// What a reflected ray counts; as in the book if left out.
-    #[serde(default)]
+    #[default]
     pub rule: GlossyRule,
 }
 
@@ -55,14 +48,14 @@ impl Specification for GlossyReflector {
         by 180 degrees about r; the rule `normalised` has g = kr · cr · (exponent + 2)/(2π) · \
         max(0, r·ωi)^exponent. The viewer is on the side that the normal points to.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(BlurredMirror {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(BlurredMirror {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
             exponent: built_exponent(&self.exponent, resources)?,
             rule: self.rule,
-        }))
+        })
     }
 }
 

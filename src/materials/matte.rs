@@ -1,26 +1,22 @@
 //! The matte material (Suffern, ch. 14).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Material, Reflectance, Response, Specification, TexturedField, constant, textured};
+use super::{
+    Made, Material, Reflectance, Response, Specification, TexturedField, constant, made, textured,
+};
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
 use crate::lobes::{Lambertian, NormalKind};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A perfectly diffuse surface; ambient and diffuse reflection share a colour.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Matte {
     /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
-    #[serde(default)]
+    #[default]
     pub ka: Amount,
     /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
     /// both, nothing is seen of `cd`.
-    #[serde(default)]
+    #[default]
     pub kd: Amount,
     /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
     pub cd: Paint,
@@ -47,8 +43,8 @@ impl Matte {
 impl Specification for Matte {
     const FORMULA: &'static str = "ρa = ka · cd, and f = kd · cd / π.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(self.check(resources)?))
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(self.check(resources)?)
     }
 }
 

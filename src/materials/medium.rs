@@ -1,10 +1,7 @@
 //! Media: what light travels through between surfaces (Suffern, ch. 27 and 28).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, index};
-use crate::kinds;
+use crate::invalid::{Invalid, Ranges};
+use crate::math::Index;
 use crate::rgb::Rgb;
 
 /// The medium on each side of a surface.
@@ -17,24 +14,17 @@ pub struct Boundary {
 }
 
 /// A transparent medium.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, Default, PartialEq)]
 #[schemars(example = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) })]
 pub struct Medium {
     /// The index of refraction, from 1e-10 to 1e10. Air is 1, water 1.33, glass about 1.5.
-    #[serde(default = "kinds::one")]
-    pub eta: f64,
+    #[default(1.0)]
+    pub eta: Index,
     /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be
     /// infinite in code, not in a scene file.
-    #[serde(default)]
+    #[default]
     #[schemars(extend("x-dimension" = "1/length"))]
     pub absorption: Rgb,
-}
-
-impl Default for Medium {
-    fn default() -> Self {
-        Self { eta: 1.0, absorption: Rgb::BLACK }
-    }
 }
 
 impl Medium {
@@ -44,7 +34,7 @@ impl Medium {
     }
 
     pub(crate) fn checked(self, field: &str) -> Result<Self, Invalid> {
-        index("eta", self.eta).map_err(|e| e.inside(field))?;
+        self.check_ranges().map_err(|e| e.inside(field))?;
         self.absorption.not_negative("absorption").map_err(|e| e.inside(field))?;
         Ok(self)
     }

@@ -1,14 +1,9 @@
 //! The Phong material (Suffern, ch. 15): matte with a highlight.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::matte::{self, Matte};
 use super::{
-    Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
-    textured,
+    Made, Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
+    made, textured,
 };
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
@@ -17,36 +12,27 @@ use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// Ambient, diffuse and glossy specular reflection.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[kind(Default)]
 pub struct Phong {
     /// The share of ambient light that is reflected, mostly 0 to 1; not negative.
+    #[default]
     pub ka: Amount,
     /// The share of the lights' light that is scattered, mostly 0 to 1; not negative. With 0 for
     /// both, nothing is seen of `cd`.
+    #[default]
     pub kd: Amount,
     /// The colour of ambient and diffuse reflection, with channels from 0 to 1.
+    #[default(Rgb::BLACK.into())]
     pub cd: Paint,
     /// The strength of the highlight, mostly 0 to 1; not negative.
+    #[default]
     pub ks: Amount,
     /// The colour of the highlight; white takes the colour of the light.
+    #[default(Rgb::WHITE.into())]
     pub cs: Paint,
     /// The exponent `e` of the highlight, from 0 to 1e15: 20 is wide, 2000 is small and sharp.
+    #[default(Amount::one())]
     pub exponent: Amount,
-}
-
-impl Default for Phong {
-    fn default() -> Self {
-        let (cd, cs) = (Rgb::BLACK.into(), Rgb::WHITE.into());
-        Self {
-            ka: Amount::default(),
-            kd: Amount::default(),
-            cd,
-            ks: Amount::default(),
-            cs,
-            exponent: Amount::one(),
-        }
-    }
 }
 
 /// A Phong surface ready to be asked.
@@ -75,8 +61,8 @@ impl Specification for Phong {
         ρa = ka · cd, and f = kd · cd / π + ks · cs · max(0, r·ωo)^exponent with r = 2 (n·ωi) n - \
         ωi. The second term has no normalising factor; like all of f it is multiplied by cosθ.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(self.check(resources)?))
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(self.check(resources)?)
     }
 }
 

@@ -1,31 +1,24 @@
 //! The reflective material (Suffern, ch. 24): a mirror over Phong shading.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::phong::{self, Phong};
 use super::{
-    Material, Reflectance, Response, Specification, TexturedField, constant, reflectances_within,
-    textured, within,
+    Made, Material, Reflectance, Response, Specification, TexturedField, constant, made,
+    reflectances_within, textured, within,
 };
-use crate::invalid::Invalid;
 use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Reflective {
     /// The fields of `phong`, for what is under the mirror; nothing if left out.
-    #[serde(default)]
+    #[default]
     pub phong: Phong,
     /// The share of light that is mirrored, from 0 to 1 mostly; not negative.
     pub kr: Amount,
     /// The colour of the mirror.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub cr: Paint,
 }
 
@@ -42,12 +35,12 @@ impl Specification for Reflective {
         the radiance that arrives from the mirror direction 2 (n·ωo) n - ωo, without any cosine, \
         and on both sides of the surface.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(ReflectiveMaterial {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(ReflectiveMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
-        }))
+        })
     }
 }
 

@@ -2,29 +2,25 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{
-    Kind, Material, Reflectance, Response, Specification, TexturedField, reflectances_within,
-    within,
+    Kind, Made, Material, Reflectance, Response, Specification, TexturedField, made,
+    reflectances_within, within,
 };
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
-use crate::textures::{self, SphereCells, TexturePoint};
+use crate::textures::{SphereCells, TexturePoint};
 
 /// A material for each of the checkers of a sphere, which are those of the texture
 /// `sphere_checker`: about the origin of its own coordinates, of any radius. Transparent materials
 /// are refused: the media on both sides belong to the whole surface. Emissive ones are refused,
 /// too: a lamp has one emission.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct SphereMaterials {
     /// How many checkers there are around the y axis, from the +z axis towards +x; at least 1.
-    #[serde(default = "textures::twenty")]
+    #[default(20)]
     pub num_horizontal: u32,
     /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
-    #[serde(default = "textures::ten")]
+    #[default(10)]
     pub num_vertical: u32,
     /// The materials: row by row from the north pole, in each row from the +z axis on. If there are
     /// fewer than checkers, they begin again.
@@ -40,7 +36,7 @@ struct SphereMaterialsMaterial {
 impl Specification for SphereMaterials {
     const FORMULA: &'static str = "at each point what the material of that checker does.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
         cells.check_list("materials", self.materials.len())?;
         let material = |(i, kind): (usize, &Kind)| {
@@ -49,7 +45,7 @@ impl Specification for SphereMaterials {
         };
         let materials =
             self.materials.iter().enumerate().map(material).collect::<Result<_, _>>()?;
-        Ok(Arc::new(SphereMaterialsMaterial { cells, materials }))
+        made(SphereMaterialsMaterial { cells, materials })
     }
 }
 

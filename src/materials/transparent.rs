@@ -1,41 +1,35 @@
 //! The simple transparent material (Suffern, ch. 27): constant shares, reflected and refracted.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::phong::{self, Phong};
 use super::{
-    Material, Reflectance, Response, Specification, TexturedField, constant, reflectances_within,
-    textured, within,
+    Made, Material, Reflectance, Response, Specification, TexturedField, constant, made,
+    reflectances_within, textured, within,
 };
-use crate::invalid::{Invalid, index};
 use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
+use crate::math::Index;
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A clear body that reflects `kr` and lets through `kt`, whatever the angle; on total internal
 /// reflection it reflects everything. It needs `whitted` or a path tracer. It says nothing of what
 /// media absorb: rays stay in the one they came through.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Transparent {
     /// The fields of `phong`, for highlights; none if left out.
-    #[serde(default)]
+    #[default]
     pub phong: Phong,
     /// The share of light that is reflected, from 0 to 1 mostly; not negative.
-    #[serde(default)]
+    #[default]
     pub kr: Amount,
     /// The colour of the reflection.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub cr: Paint,
     /// The share of light that is let through; not negative, and `kr + kt` should be 1.
     pub kt: Amount,
     /// The index of refraction inside over the one outside, `ior` in the book; from 1e-10 to 1e10.
     /// Glass is about 1.5, water 1.33.
-    pub eta: f64,
+    pub eta: Index,
 }
 
 #[derive(Debug)]
@@ -56,14 +50,14 @@ impl Specification for Transparent {
         Snell's law sinθ = h sinθt. On total reflection (sinθ > h) it adds the radiance of the \
         mirror direction with weight 1, and nothing is refracted.";
 
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
-        Ok(Arc::new(TransparentMaterial {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(TransparentMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
             kt: self.kt.build("kt", resources)?,
-            eta: index("eta", self.eta)?,
-        }))
+            eta: self.eta,
+        })
     }
 }
 

@@ -11,12 +11,12 @@ mod exact;
 mod frame;
 mod functions;
 mod lanes;
-mod length;
 pub mod lists;
 pub mod maps;
 pub mod polynomial;
 mod quadrature;
 mod random;
+mod ranges;
 mod ray;
 mod roots;
 mod single;
@@ -34,9 +34,12 @@ pub use functions::{
     power_of_two, sin, sin_cos, sin_degrees, tan, to_degrees, to_radians,
 };
 pub use lanes::Lanes;
-pub use length::{DIMENSION, Length};
 pub(crate) use quadrature::tanh_sinh;
 pub use random::{Pcg32, hash, hash_onto, splitmix};
+pub use ranges::{
+    Coordinate, DIMENSION, Displacement, Distance, Finite, Index, Length, NonNegative, Positive,
+    Share, Strength, Width,
+};
 pub use ray::{Ray, Span};
 pub(crate) use roots::{Tolerance, bracketed_root};
 pub use roots::{circle_roots, perpendicular_roots, quadratic};

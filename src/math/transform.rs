@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::exact::less_products;
 use super::functions::{cos_degrees, sin_degrees};
 use super::vectors::{Normal, Point, Vector};
-use super::{Aabb, Length, Ray, UNIT_ROUNDOFF, lists};
+use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
@@ -16,7 +16,7 @@ use super::{Aabb, Length, Ray, UNIT_ROUNDOFF, lists};
 #[schemars(title = "transform steps")]
 pub enum Step {
     /// Moves by this vector.
-    Translate(#[schemars(with = "Length<Vector>")] Vector),
+    Translate(#[schemars(extend("x-dimension" = "length"))] Vector),
     /// Scales along the axes by these factors, none of them zero; one number is the factor of all
     /// three.
     Scale(
@@ -54,8 +54,7 @@ pub enum Step {
 }
 
 /// A coordinate axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 #[allow(missing_docs)]
 #[schemars(title = "axes")]
 pub enum Axis {

@@ -33,7 +33,7 @@ use glam::DVec3;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{Length, lists};
+use super::lists;
 
 const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
@@ -102,6 +102,11 @@ macro_rules! coordinates {
 }
 coordinates!(Point, Vector, Normal);
 
+// a coordinate of a point in schemas
+#[derive(JsonSchema)]
+#[schemars(inline, extend("x-dimension" = "length"))]
+struct Coordinate(#[expect(dead_code)] f64);
+
 macro_rules! from_array {
     ($($kind:ident of $part:ty, written as $written:literal;)*) => {$(
         impl From<[f64; 3]> for $kind {
@@ -130,7 +135,7 @@ macro_rules! from_array {
     )*};
 }
 from_array!(
-    Point of Length, written as "A point as `[x, y, z]`, three lengths.";
+    Point of Coordinate, written as "A point as `[x, y, z]`, three lengths.";
     Vector of f64, written as "A vector as `[x, y, z]`.";
 );
 

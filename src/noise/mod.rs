@@ -10,9 +10,6 @@ mod linear;
 
 use std::ops::{Add, Mul};
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::invalid::{Invalid, positive, shown};
 use crate::math::{Point, Vector};
 
@@ -23,26 +20,30 @@ pub use lattice::Lattice;
 pub const MAX_OCTAVES: u32 = 32;
 
 /// A lattice noise and the sum of its octaves.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+// the defaults are those of the book
+#[kind(Copy, Default, PartialEq)]
 pub struct Noise {
     /// The interpolation between the lattice points.
+    #[default]
     pub interpolation: Interpolation,
     /// The number of noises of increasing frequency that are added; from 1 to 32.
+    #[default(1)]
     pub octaves: u32,
     /// The ratio of the amplitudes of an octave and the previous one; positive. Used by fBm only:
     /// fractal sum and turbulence use 1/2.
+    #[default(0.5)]
     pub gain: f64,
     /// The ratio of the frequencies of an octave and the previous one; positive. Used by fBm only:
     /// fractal sum and turbulence use 2.
+    #[default(2.0)]
     pub lacunarity: f64,
     /// The seed of the random numbers at the lattice points.
+    #[default(253)]
     pub seed: u64,
 }
 
 /// The interpolation between lattice points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "interpolations")]
 pub enum Interpolation {
     /// Linear along each axis, of the 8 corners of the cell: continuous, but the planes of the
@@ -51,14 +52,6 @@ pub enum Interpolation {
     /// Cubic along each axis, of 64 points: smooth.
     #[default]
     Cubic,
-}
-
-impl Default for Noise {
-    /// As in the book: one octave, lacunarity 2, gain 1/2, seed 253.
-    fn default() -> Self {
-        let interpolation = Interpolation::default();
-        Self { interpolation, octaves: 1, gain: 0.5, lacunarity: 2.0, seed: 253 }
-    }
 }
 
 impl Noise {

@@ -1,9 +1,6 @@
 //! Correlated multi-jittered samples (Kensler, "Correlated Multi-Jittered Sampling", Pixar
 //! Technical Memo 13-01, 2013); not in the book.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
@@ -14,8 +11,7 @@ use crate::math::Pcg32;
 /// The grid has `m = ⌊√N⌋` columns and `n = ⌈N/m⌉` rows. A count N that is not `m n` is rounded up
 /// to it: k² to `k (k + 2)` become k², `k (k + 1)` or `k (k + 2)`, far fewer than the next square.
 /// (The paper leaves cells empty instead.) The orders are the paper's hashed permutations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct CorrelatedMultiJittered {}
 
 without_settings!(CorrelatedMultiJittered);

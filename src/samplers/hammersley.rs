@@ -1,13 +1,6 @@
 //! Hammersley samples (Suffern, ch. 5; Hammersley 1960).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Sampler, Specification};
-use crate::invalid::Invalid;
-use crate::kinds::is_no;
+use super::{Made, Sampler, Specification, made};
 use crate::math::{Pcg32, power_of_two};
 
 /// The points `(i/n, Φ(i))`, where Φ mirrors the binary digits of i at the point: Φ(6) = Φ(110₂) =
@@ -16,17 +9,16 @@ use crate::math::{Pcg32, power_of_two};
 /// This is one fixed set. As in the book, all pixels use it, and show the same artefacts; only the
 /// order differs. `shifted` moves it by another random vector for each draw, across the edges of
 /// the square, which makes averages right on average.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, Default, PartialEq, Eq)]
 pub struct Hammersley {
     /// Whether each draw shifts the set; not if left out.
-    #[serde(default, skip_serializing_if = "is_no")]
+    #[optional]
     pub shifted: bool,
 }
 
 impl Specification for Hammersley {
-    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
-        Ok(Arc::new(*self))
+    fn make(&self, (): &mut ()) -> Made {
+        made(*self)
     }
 }
 

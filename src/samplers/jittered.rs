@@ -1,15 +1,11 @@
 //! Jittered samples (Suffern, ch. 4 and 5): one anywhere in each cell of a grid.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Sampler, in_stratum, next_square, side};
 use crate::math::Pcg32;
 
 /// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that
 /// is no square is rounded up to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct Jittered {}
 
 without_settings!(Jittered);

@@ -8,12 +8,8 @@
 macro_rules! without_settings {
     ($Sampler:ident) => {
         impl $crate::samplers::Specification for $Sampler {
-            fn build(
-                &self,
-                (): &mut (),
-            ) -> Result<::std::sync::Arc<dyn $crate::samplers::Sampler>, $crate::invalid::Invalid>
-            {
-                Ok(::std::sync::Arc::new(*self))
+            fn make(&self, (): &mut ()) -> $crate::samplers::Made {
+                $crate::samplers::made(*self)
             }
         }
     };

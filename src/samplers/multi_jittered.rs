@@ -1,15 +1,11 @@
 //! Multi-jittered samples (Suffern, ch. 5; Chiu, Shirley & Wang, Graphics Gems IV, 1994).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Sampler, in_stratum, next_square, side};
 use crate::math::Pcg32;
 
 /// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows
 /// and columns. A count that is no square is rounded up to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct MultiJittered {}
 
 without_settings!(MultiJittered);

@@ -1,9 +1,6 @@
 //! N-rooks samples (Suffern, ch. 5; Shirley, "Discrepancy as a Quality Measure for Sample
 //! Distributions", 1991).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
@@ -13,8 +10,7 @@ use crate::math::Pcg32;
 ///
 /// The book shuffles the columns too. One shuffle gives the same sets, each as likely; their order
 /// is decided by the draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct NRooks {}
 
 without_settings!(NRooks);

@@ -1,14 +1,10 @@
 //! Pure random samples (Suffern, ch. 4 and 5).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::Sampler;
 use crate::math::Pcg32;
 
 /// Independent uniform points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct Random {}
 
 without_settings!(Random);

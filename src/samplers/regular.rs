@@ -1,15 +1,11 @@
 //! Regular samples (Suffern, ch. 4 and 5): the centres of a grid.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Sampler, next_square, side};
 use crate::math::Pcg32;
 
 /// The point `((k + ½)/n, (j + ½)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
 /// no square is rounded up to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct Regular {}
 
 without_settings!(Regular);

@@ -1,17 +1,13 @@
 //! Scrambled Sobol samples (Burley, "Practical Hash-based Owen Scrambling", Journal of Computer
 //! Graphics Techniques 9(4), 2020); not in the book.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Sampler, in_stratum};
 use crate::math::{Pcg32, splitmix};
 
 /// The first n points of Sobol's sequence (1967) in two dimensions, each set with its own Owen
 /// scramble ("Randomly Permuted (t,m,s)-Nets", 1995). Any count; best are powers of two `n = 2^m`:
 /// then each of the n boxes `2^−a × 2^(a−m)` has one point, whatever the scramble.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 pub struct Sobol {}
 
 without_settings!(Sobol);

@@ -1,11 +1,7 @@
 //! The choice between the library's intersection routines and the book's.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 /// How rays are intersected with objects.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "intersection routines")]
 pub enum Intersect {
     /// The routines of this library: no epsilon, no lost roots, no gaps between triangles.
@@ -26,9 +22,5 @@ impl Intersect {
             Self::Robust => "robust",
             Self::Textbook => "textbook",
         }
-    }
-
-    pub(super) fn is_default(&self) -> bool {
-        *self == Self::default()
     }
 }

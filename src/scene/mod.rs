@@ -15,15 +15,12 @@ mod tracer;
 mod transparency;
 pub mod vocabulary;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::background::Background;
 use crate::cameras::{ViewPlane, Viewpoint};
 use crate::film::{OutOfGamut, Tone};
-use crate::math::Length;
+use crate::math::{Distance, Length, Positive};
 use crate::shapes::textbook::EPSILON;
-use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
+use crate::{accel, bumps, filters, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
 pub use file::{STANDARD_INPUT, Source, from_bytes, open, parse, to_toml};
@@ -33,52 +30,48 @@ pub use tracer::{Depth, Tracer, Whitted};
 pub use transparency::{Transparency, TransparentShadows};
 
 /// All data of a picture.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Scene {
     /// What the picture shows, in one line.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[optional]
     pub about: String,
     /// The tracer: `"ray_cast"` for direct light only, `whitted` for mirrors and glass, or one of
     /// the path tracers for light that is reflected between all surfaces.
-    #[serde(default)]
+    #[default]
     pub tracer: Tracer,
     /// Shadow rays and radiance at transparent surfaces; as in the book if left out.
-    #[serde(default, skip_serializing_if = "Transparency::is_default")]
+    #[optional]
     pub transparency: Transparency,
     /// The acceleration structure. It changes only the time, not the picture.
-    #[serde(default)]
+    #[default]
     pub accel: accel::Method,
     /// The intersection routines of objects that have no `intersect` of their own.
-    #[serde(default, skip_serializing_if = "Intersect::is_default")]
+    #[optional]
     pub intersect: Intersect,
     /// The epsilon of the textbook routines: hits nearer to the ray's origin are ignored. A length;
     /// 0.001 if left out. Only allowed if the scene or an object uses the textbook routines.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Option<Length>")]
-    pub epsilon: Option<f64>,
+    pub epsilon: Option<Length>,
     /// The radiance of rays that hit nothing.
-    #[serde(default)]
+    #[default]
     pub background: Background,
     /// The size of the picture and its sampling.
     pub image: Image,
     /// The camera.
     pub camera: Viewpoint,
     /// The lights, each a `[[lights]]`.
-    #[serde(default)]
+    #[default]
     pub lights: Vec<Light>,
     /// The materials that objects name, each a `[[materials]]`.
-    #[serde(default)]
+    #[default]
     pub materials: Vec<Material>,
     /// The objects, each an `[[objects]]`. If a ray hits two at the same distance, the first one
     /// counts.
-    #[serde(default)]
+    #[default]
     pub objects: Vec<Object>,
 }
 
 /// The picture: the book's view plane.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Image {
     /// The number of pixel columns; at least 1.
     #[schemars(range(min = 1, max = 33554432))]
@@ -87,78 +80,67 @@ pub struct Image {
     #[schemars(range(min = 1, max = 33554432))]
     pub height: u32,
     /// The side of a pixel on the view plane, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub pixel_size: f64,
+    #[default(1.0)]
+    pub pixel_size: Distance,
     /// The number of samples per pixel: from 1 to 65536, rounded up to a number that the sampler's
     /// pattern allows. 16 gives smooth edges.
-    #[serde(default = "one_sample")]
+    #[default(1)]
     #[schemars(range(min = 1, max = 65536))]
     pub samples: u32,
     /// The pattern of the samples. If left out: multi-jittered, as in the book; but a single sample
     /// is at the centre of pixel and lens.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sampler: Option<samplers::Kind>,
     /// The weight of a sample by its offset from the pixel's centre; the box if left out.
-    #[serde(default, skip_serializing_if = "filters::Kind::is_default")]
+    #[default]
+    #[serde(skip_serializing_if = "filters::Kind::is_default")]
     pub filter: filters::Kind,
     /// Colours are raised to the power 1/gamma for display; positive. 1 leaves them as they are,
     /// 2.2 is the gamma of most screens.
-    #[serde(default = "kinds::one")]
-    pub gamma: f64,
+    #[default(1.0)]
+    pub gamma: Positive,
     /// How colours above 1 are displayed.
-    #[serde(default)]
+    #[default]
     pub out_of_gamut: OutOfGamut,
 }
 
-fn one_sample() -> u32 {
-    1
-}
-
 /// A light.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Light {
     /// The name; no two lights have the same name.
     pub name: String,
     /// Whether it is on.
-    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
-    #[schemars(extend("default" = true))]
+    #[optional(true)]
     pub enabled: bool,
     /// Whether objects block its light; on by default (off in the sample code of the book). Path
     /// tracers block the light of lamps and of the sky in any case, as their paths can hit these.
-    #[serde(default = "kinds::yes")]
+    #[default(true)]
     pub shadows: bool,
     /// The kind of light.
     pub source: lights::Kind,
 }
 
 /// A material.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Material {
     /// The name that objects use; no two materials have the same name.
     pub name: String,
     /// Whether the back of a surface is shaded like its front, with the normal reversed. For open
     /// surfaces; not for transparent ones, where the normal tells the inside from the outside.
-    #[serde(default, skip_serializing_if = "kinds::is_no")]
+    #[optional]
     pub two_sided: bool,
     /// Whether objects of this material cast shadows. For path tracers they always do in the light
     /// of lamps and of the sky, which paths can hit.
-    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
-    #[schemars(extend("default" = true))]
+    #[optional(true)]
     pub casts_shadows: bool,
     /// The kind of material.
     pub recipe: materials::Kind,
     /// Bump mapping: perturbs the shading normal, so that the surface looks rough. Refraction and
     /// the mirror reflection of glass use the true normal, as on smooth meshes.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bump: Option<bumps::Kind>,
 }
 
 /// An object.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Object {
     /// The name; no two objects have the same name. As for lights and materials, a name may be
     /// empty.
@@ -166,20 +148,15 @@ pub struct Object {
     /// The `name` of a material.
     pub material: String,
     /// Whether the object is part of the scene.
-    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
-    #[schemars(extend("default" = true))]
+    #[optional(true)]
     pub enabled: bool,
     /// Whether it casts shadows; see the material's.
-    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
-    #[schemars(extend("default" = true))]
+    #[optional(true)]
     pub casts_shadows: bool,
     /// The intersection routines of this object; those of the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub intersect: Option<Intersect>,
     /// The epsilon of the textbook routines for this object; that of the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "Option<Length>")]
-    pub epsilon: Option<f64>,
+    pub epsilon: Option<Length>,
     /// The shape.
     pub shape: shapes::Kind,
 }

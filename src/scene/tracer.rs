@@ -2,14 +2,10 @@
 
 use std::str::FromStr;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::similar;
 
 /// Which light paths are traced: the book's tracers as settings of one recursion.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Copy, Default, PartialEq, Eq)]
 #[schemars(title = "tracers")]
 pub enum Tracer {
     /// Direct light only (chapter 14): no reflected or refracted rays.
@@ -30,8 +26,7 @@ pub enum Tracer {
 }
 
 /// The depth of the path tracers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 #[schemars(example = Depth { max_depth: 8 })]
 pub struct Depth {
     /// The largest depth of a ray that is traced; deeper rays are black. The camera's ray has depth
@@ -43,8 +38,7 @@ pub struct Depth {
 }
 
 /// The depth of the Whitted tracer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq)]
 #[schemars(example = Whitted { max_depth: 5 })]
 pub struct Whitted {
     /// The largest depth of a ray that is traced; deeper rays are black. The camera's ray has depth

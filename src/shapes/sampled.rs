@@ -6,15 +6,11 @@
 
 use std::fmt::Debug;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Candidate, Surface};
 use crate::math::Point;
 
 /// How points are drawn on a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 #[schemars(title = "ways of sampling")]
 pub enum Sampling {
     /// In proportion to area, as in the book.

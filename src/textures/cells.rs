@@ -3,13 +3,10 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
-use crate::invalid::{Invalid, length, within};
+use crate::invalid::{Invalid, Ranges};
 use crate::kinds::Resources;
-use crate::math::floor;
+use crate::math::{Share, floor};
 use crate::rgb::Rgb;
 
 /// The book's offset, added before rounding down, so that a face that lies exactly on a border of
@@ -51,24 +48,19 @@ pub fn is_even(number: f64) -> bool {
 }
 
 /// Lines centred on the borders of checkers.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
+#[kind(Default)]
 pub struct Lines {
     /// The full width of the lines between rows of checkers, as a fraction of a checker, from 0 (no
     /// lines) to 1 (lines only).
-    pub horizontal: f64,
+    #[default]
+    pub horizontal: Share,
     /// The full width of the lines between columns of checkers, as a fraction of a checker, from 0
     /// to 1.
-    pub vertical: f64,
+    #[default]
+    pub vertical: Share,
     /// The colour of the lines.
+    #[default(Rgb::BLACK.into())]
     pub color: Paint,
-}
-
-/// No lines.
-impl Default for Lines {
-    fn default() -> Self {
-        Self { horizontal: 0.0, vertical: 0.0, color: Rgb::BLACK.into() }
-    }
 }
 
 impl Lines {
@@ -77,8 +69,8 @@ impl Lines {
     }
 
     fn check(&self, resources: &mut Resources) -> Result<BuiltLines, Invalid> {
-        let half = |field, width| within(field, width, 0.0..=1.0).map(|width| 0.5 * width);
-        let half_widths = [half("vertical", self.vertical)?, half("horizontal", self.horizontal)?];
+        self.check_ranges()?;
+        let half_widths = [0.5 * self.vertical, 0.5 * self.horizontal];
         Ok(BuiltLines { half_widths, color: self.color.build("color", resources)? })
     }
 }
@@ -121,15 +113,14 @@ pub struct Checkers {
 }
 
 impl Checkers {
-    /// Checks the fields that the checkers share: `unit`, the two counts by their names, `color1`,
-    /// `color2` and `lines`.
+    /// Checks the fields that the checkers share: the two counts by their names, `color1`, `color2`
+    /// and `lines`.
     pub(super) fn build(
         (unit, counts, division): (f64, [(&str, u32); 2], Division),
         [color1, color2]: [&Paint; 2],
         lines: &Lines,
         resources: &mut Resources,
     ) -> Result<Arc<dyn Texture>, Invalid> {
-        let unit = length("unit", unit)?;
         let counts = self::counts(counts)?;
         let colors = [color1.build("color1", resources)?, color2.build("color2", resources)?];
         let lines = lines.build(resources)?;
@@ -158,14 +149,4 @@ pub(super) fn counts(fields: [(&str, u32); 2]) -> Result<[f64; 2], Invalid> {
 /// The default of the second colour in scene files.
 pub(super) fn half_grey() -> Paint {
     Rgb::grey(0.5).into()
-}
-
-/// The book's number of columns of checkers, the default in scene files.
-pub(crate) fn twenty() -> u32 {
-    20
-}
-
-/// The book's number of rows of checkers, the default in scene files.
-pub(crate) fn ten() -> u32 {
-    10
 }

@@ -1,15 +1,9 @@
 //! Checkers on generic objects, with lines (Suffern, ch. 30): they differ in how they divide a
 //! point into columns and rows.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::cells::{self, Cell, Checkers, Division};
 use super::mapping::{azimuth, distance};
-use super::{Lines, Paint, Specification, Texture};
-use crate::invalid::Invalid;
+use super::{Lines, Made, Paint, Specification};
 use crate::kinds::Resources;
 use crate::math::Length;
 use crate::rgb::Rgb;
@@ -28,35 +22,31 @@ macro_rules! checker {
         divided by $division:expr
     ) => {
         $(#[$about])*
-        #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-        #[serde(deny_unknown_fields, default)]
+        // white and grey, with the numbers of checkers of the book
+        #[kind(Default)]
         pub struct $Checker {
             $(#[$of_unit])*
-            #[schemars(with = "Length")]
-            pub unit: f64,
+            #[default(1.0)]
+            pub unit: Length,
             $(#[$of_columns])*
+            #[default(20)]
             pub $columns: u32,
             $(#[$of_rows])*
+            #[default(10)]
             pub $rows: u32,
             $(#[$of_color1])*
+            #[default(Rgb::WHITE.into())]
             pub color1: Paint,
             /// The colour of the other checkers.
+            #[default(cells::half_grey())]
             pub color2: Paint,
             $(#[$of_lines])*
+            #[default]
             pub lines: Lines,
         }
 
-        /// White and grey, with the numbers of checkers of the book.
-        impl Default for $Checker {
-            fn default() -> Self {
-                let (color1, color2) = (Rgb::WHITE.into(), cells::half_grey());
-                let ($columns, $rows) = (cells::twenty(), cells::ten());
-                Self { unit: 1.0, $columns, $rows, color1, color2, lines: Lines::default() }
-            }
-        }
-
         impl Specification for $Checker {
-            fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+            fn make(&self, resources: &mut Resources) -> Made {
                 let division: Division = $division;
                 let counts =
                     [(stringify!($columns), self.$columns), (stringify!($rows), self.$rows)];

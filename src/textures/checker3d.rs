@@ -1,31 +1,23 @@
 //! The solid checker (Suffern, ch. 30).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::cells::{self, OFFSET, is_even};
-use super::{Chooser, Color, Paint, Specification, Texture, TexturePoint};
-use crate::invalid::{Invalid, positive};
+use super::{Chooser, Color, Made, Paint, Specification, TexturePoint, made};
 use crate::kinds::{self, Resources};
-use crate::math::{Length, floor};
+use crate::math::{Distance, floor};
 
 /// Cubes of alternating colours, in the local coordinates of the object. The index of a cube on
 /// each axis is `floor(x / size − 0.000187453738)`: the borders are slightly above the multiples of
 /// the size, so that rounding cannot give two colours to a face at such a multiple.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Checker3d {
     /// The side of a cube, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Distance,
     /// The colour of the cube at the origin.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub color1: Paint,
     /// The colour of the cubes beside it.
-    #[serde(default = "cells::half_grey")]
+    #[default(cells::half_grey())]
     pub color2: Paint,
 }
 
@@ -37,12 +29,12 @@ struct Checker3dTexture {
 }
 
 impl Specification for Checker3d {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Checker3dTexture {
-            size: positive("size", self.size)?,
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(Checker3dTexture {
+            size: self.size,
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
-        }))
+        })
     }
 }
 

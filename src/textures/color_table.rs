@@ -1,9 +1,6 @@
 //! Colour tables (Suffern, ch. 31): the book's ramps, images of one row that map a number from 0 to
 //! 1 to a colour.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::Rule;
 use crate::invalid::Invalid;
 use crate::math::floor;
@@ -12,17 +9,15 @@ use crate::rgb::Rgb;
 const MAX_COLUMNS: u32 = 1 << 16;
 
 /// A row of colours for the numbers from 0 to 1.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct ColorTable {
     /// The colours, from that of 0 to that of 1; at least one.
     pub colors: Vec<Rgb>,
     /// The number of columns, from 1 to 65536: the colours are at equal distances, with linear
     /// interpolation between them. If left out, one column for each colour.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub columns: Option<u32>,
     /// The numbers that each column covers.
-    #[serde(default)]
+    #[default]
     pub rule: Rule,
 }
 

@@ -1,39 +1,31 @@
 //! The fBm texture (Suffern, ch. 31): the book's `FBmTexture`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::noise_field::{NoiseField, Range};
-use super::{Color, Paint, Specification, Texture, TexturePoint};
-use crate::invalid::{Invalid, finite};
+use super::{Color, Made, Paint, Specification, Texture, TexturePoint, made};
 use crate::kinds::{self, Resources};
-use crate::math::Length;
+use crate::math::{Finite, Length};
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
 /// Fractional Brownian motion as brightness: `min + (max − min) fBm` times a colour. Where this
 /// number is not between 0 and 1 the texture is red, as in the book, which helps to choose min and
 /// max.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Fbm {
     /// The noise.
-    #[serde(default)]
+    #[default]
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Length,
     /// The brightness where fBm is 0; may be negative.
-    #[serde(default)]
-    pub min: f64,
+    #[default]
+    pub min: Finite,
     /// The brightness where fBm is 1; may be negative.
-    #[serde(default = "kinds::one")]
-    pub max: f64,
+    #[default(1.0)]
+    pub max: Finite,
     /// The colour at brightness 1.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub color: Paint,
 }
 
@@ -52,12 +44,12 @@ struct FbmTexture {
 }
 
 impl Specification for Fbm {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(FbmTexture {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(FbmTexture {
             field: NoiseField::build(&self.noise, self.size)?,
-            range: Range { min: finite("min", self.min)?, max: finite("max", self.max)? },
+            range: Range { min: self.min, max: self.max },
             color: self.color.build("color", resources)?,
-        }))
+        })
     }
 }
 

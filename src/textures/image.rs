@@ -3,63 +3,51 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::sampling::Sampling;
-use super::{Filtering, Mapping, Rule, Specification, Texel, Texture, TexturePoint, Wrap};
+use super::{
+    Filtering, Made, Mapping, Rule, Specification, Texel, Texture, TexturePoint, Wrap, made,
+};
 use crate::images::Drawn;
-use crate::invalid::{Invalid, length};
-use crate::kinds::{self, ImageSource, Resources};
+use crate::kinds::{ImageSource, Resources};
 use crate::math::{Length, Point};
 use crate::rgb::Rgb;
 use formats::images::{Encoding, Texels};
 
 /// An image mapped to a surface: by a mapping of the local point, or by the texture coordinates of
 /// a mesh. In the image, u increases to the right and v upward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Image {
     /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. An alpha channel is
     /// ignored. Either this, or `drawn`, or `texels`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// Instead of a file: an image drawn by a formula.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
     /// In place of a file: its colours, linear, row by row from the top down, as
     /// `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0], 1]]`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub texels: Option<Vec<Vec<Rgb>>>,
     /// How the image is mapped to the surface; if left out, by the texture coordinates of the
     /// surface, which meshes may have.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mapping: Option<Mapping>,
     /// The length of one unit of the mapping: the radius of the cylinder, half the side of the
     /// rectangle; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub unit: f64,
+    #[default(1.0)]
+    pub unit: Length,
     /// Which texels are used; the nearest if left out, as in the book.
-    #[serde(default)]
+    #[default]
     pub filtering: Filtering,
     /// How u outside 0 … 1 is treated; if left out, as the mapping needs, and `repeat` without a
     /// mapping.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_u: Option<Wrap>,
     /// The same for v.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap_v: Option<Wrap>,
     /// The part of the image that each texel covers.
-    #[serde(default)]
+    #[default]
     pub rule: Rule,
     /// How a PNG, JPEG or PPM file encodes colours; if left out, what a PNG file says of itself
     /// (sRGB, gAMA), else `srgb`. HDR, EXR and PFM files are linear.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
     /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has
     /// several.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<String>,
 }
 
@@ -100,7 +88,7 @@ struct ImageTexture {
 }
 
 impl Specification for Image {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let texels = resources.texels(&ImageSource {
             file: self.file.as_deref(),
             drawn: self.drawn,
@@ -114,12 +102,12 @@ impl Specification for Image {
         let [wrap_u, wrap_v] = self.mapping.map_or([Wrap::Repeat; 2], Mapping::wraps);
         let wraps = [self.wrap_u.unwrap_or(wrap_u), self.wrap_v.unwrap_or(wrap_v)];
         let (filtering, rule) = (self.filtering, self.rule);
-        Ok(Arc::new(ImageTexture {
+        made(ImageTexture {
             texels,
             mapping: self.mapping,
-            unit: length("unit", self.unit)?,
+            unit: self.unit,
             sampling: Sampling { filtering, rule, wraps },
-        }))
+        })
     }
 }
 

@@ -5,15 +5,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::Wrap;
 use crate::math::{Point, atan2};
 
 /// How an image is mapped to a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 #[schemars(title = "mappings")]
 pub enum Mapping {
     /// On the rectangle −1 … 1 in x and z: u along z, v along x.

@@ -38,7 +38,6 @@ use crate::kinds::Resources;
 use crate::rgb::Rgb;
 
 pub use cells::Lines;
-pub(crate) use cells::{ten, twenty};
 pub use color_table::ColorTable;
 pub use field::{Amount, Color, Paint, Textured, Value, Varying};
 pub use mapping::Mapping;

@@ -1,7 +1,7 @@
 //! Noise in the coordinates of a texture, shared by the noise textures (Suffern, ch. 31).
 
 use super::{Color, Texture, TexturePoint};
-use crate::invalid::{Invalid, length, positive, strength};
+use crate::invalid::Invalid;
 use crate::math::{Point, floor};
 use crate::noise::{LatticeNoise, Noise};
 use crate::rgb::Rgb;
@@ -14,10 +14,10 @@ pub(super) struct NoiseField {
 }
 
 impl NoiseField {
-    /// Checks the fields `noise` and `size` of a texture.
+    /// Builds the field `noise` of a texture.
     pub fn build(noise: &Noise, size: f64) -> Result<Self, Invalid> {
         let noise = noise.build().map_err(|e| e.inside("noise"))?;
-        Ok(Self { noise, size: length("size", size)? })
+        Ok(Self { noise, size })
     }
 
     /// The point in units of lattice cells.
@@ -39,11 +39,6 @@ pub(super) struct Range {
 }
 
 impl Range {
-    /// Checks the fields `min` and `max` of a texture.
-    pub fn build(min: f64, max: f64) -> Result<Self, Invalid> {
-        Ok(Self { min: strength("min", min)?, max: strength("max", max)? })
-    }
-
     /// `min + (max − min) value`.
     pub fn scaled(self, value: f64) -> f64 {
         self.min + (self.max - self.min) * value
@@ -59,10 +54,9 @@ pub(super) struct Expanded {
 }
 
 impl Expanded {
-    /// Checks the fields `noise`, `size` and `expansion` of a texture.
+    /// As [`NoiseField::build`].
     pub fn build(noise: &Noise, size: f64, expansion: f64) -> Result<Self, Invalid> {
-        let field = NoiseField::build(noise, size)?;
-        Ok(Self { field, expansion: positive("expansion", expansion)? })
+        Ok(Self { field: NoiseField::build(noise, size)?, expansion })
     }
 
     /// `expansion · fBm`, and its fractional part in `[0, 1)`.
@@ -89,9 +83,4 @@ impl Texture for Wrapped {
         let passed = self.thresholds.iter().filter(|threshold| noise >= **threshold).count();
         self.range.scaled(fraction) * self.colors[passed].at(at)
     }
-}
-
-/// The default expansion number in scene files.
-pub(super) fn two() -> f64 {
-    2.0
 }

@@ -1,38 +1,26 @@
 //! The ramp: colours interpolated along an axis (Suffern, ch. 30).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Color, Paint, Specification, Texture, TexturePoint, Wrap};
-use crate::invalid::{Invalid, LENGTHS, finite, lengths, shown};
+use super::{Color, Made, Paint, Specification, Texture, TexturePoint, Wrap, made};
+use crate::invalid::{Invalid, LENGTHS, lengths, shown};
 use crate::kinds::Resources;
-use crate::math::{Axis, Length, floor};
+use crate::math::{Axis, Coordinate, floor};
 use crate::rgb::Rgb;
 
 /// Colours at equal distances along an axis of the object's own coordinates, with linear
 /// interpolation between them.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Ramp {
     /// The axis along which the colours change.
     pub axis: Axis,
     /// The coordinate of the first colour, in the unit of the scene.
-    #[schemars(with = "Length")]
-    pub from: f64,
+    pub from: Coordinate,
     /// The coordinate of the last colour; not equal to `from`.
-    #[schemars(with = "Length")]
-    pub to: f64,
+    pub to: Coordinate,
     /// The colours, two or more.
     pub colors: Vec<Paint>,
     /// How the ramp continues beyond its ends; `clamp` if left out.
-    #[serde(default = "clamp")]
+    #[default(Wrap::Clamp)]
     pub wrap: Wrap,
-}
-
-fn clamp() -> Wrap {
-    Wrap::Clamp
 }
 
 #[derive(Debug)]
@@ -45,8 +33,8 @@ struct RampTexture {
 }
 
 impl Specification for Ramp {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        let (from, to) = (finite("from", self.from)?, finite("to", self.to)?);
+    fn make(&self, resources: &mut Resources) -> Made {
+        let Self { from, to, .. } = *self;
         if !LENGTHS.contains(&(to - from).abs()) {
             let apart = shown((to - from).abs());
             let problem = format!("found {apart} between `from` and it, but {}", lengths());
@@ -57,7 +45,7 @@ impl Specification for Ramp {
             return Err(Invalid::field("colors", problem));
         }
         let colors = Paint::build_list(&self.colors, "colors", resources)?;
-        Ok(Arc::new(RampTexture { axis: self.axis, from, to, colors, wrap: self.wrap }))
+        made(RampTexture { axis: self.axis, from, to, colors, wrap: self.wrap })
     }
 }
 

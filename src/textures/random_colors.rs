@@ -1,29 +1,22 @@
 //! A random colour for each of many shapes (Suffern, ch. 22: the spheres of a grid).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Specification, Texture, TexturePoint};
-use crate::invalid::Invalid;
+use super::{Made, Specification, Texture, TexturePoint, made};
 use crate::kinds::Resources;
 use crate::math::{Pcg32, hash};
 use crate::rgb::Rgb;
 
 /// A random colour for each shape in a compound, lattice or set of random spheres, uniform in the
 /// RGB cube and constant over the shape.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct RandomColors {
     /// The seed of the random colours.
-    #[serde(default)]
+    #[default]
     pub seed: u64,
 }
 
 impl Specification for RandomColors {
-    fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(self.clone()))
+    fn make(&self, _: &mut Resources) -> Made {
+        made(self.clone())
     }
 }
 

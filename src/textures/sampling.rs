@@ -1,8 +1,5 @@
 //! From texture coordinates to texels (Suffern, ch. 29).
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::Texel;
 use formats::images::Texels;
 
@@ -11,8 +8,7 @@ use crate::math::floor;
 use crate::rgb::Rgb;
 
 /// Which texels are used.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "filtering")]
 pub enum Filtering {
     /// The texel that contains the point: squares are visible from nearby.
@@ -23,8 +19,7 @@ pub enum Filtering {
 }
 
 /// The part of the image that each texel covers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Default)]
 #[schemars(title = "rules for texels")]
 pub enum Rule {
     /// Each of the `n` texels covers `1/n`: column `⌊n u⌋`.
@@ -36,8 +31,7 @@ pub enum Rule {
 }
 
 /// How coordinates outside 0 … 1 are treated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind]
 #[schemars(title = "wraps")]
 pub enum Wrap {
     /// The image repeats.

@@ -1,30 +1,23 @@
 //! A texture for each checker of a sphere (Suffern, ch. 30).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::cells::{self, BuiltLines};
-use super::{Chooser, Color, Lines, Paint, Specification, SphereCells, Texture, TexturePoint};
-use crate::invalid::Invalid;
+use super::cells::BuiltLines;
+use super::{Chooser, Color, Lines, Made, Paint, Specification, SphereCells, TexturePoint, made};
 use crate::kinds::Resources;
 
 /// The checkers of `sphere_checker`, each with a colour or texture of its own.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct SphereTextures {
     /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
-    #[serde(default = "cells::twenty")]
+    #[default(20)]
     pub num_horizontal: u32,
     /// The number of checkers from the north pole (on the +y axis) to the south pole; at least 1.
-    #[serde(default = "cells::ten")]
+    #[default(10)]
     pub num_vertical: u32,
     /// The textures: row by row from the north pole, each row from the +z axis. If there are fewer
     /// textures than checkers, they repeat.
     pub textures: Vec<Paint>,
     /// Lines along the borders; none if left out.
-    #[serde(default)]
+    #[default]
     pub lines: Lines,
 }
 
@@ -36,11 +29,11 @@ struct SphereTexturesTexture {
 }
 
 impl Specification for SphereTextures {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
         cells.check_list("textures", self.textures.len())?;
         let textures = Paint::build_list(&self.textures, "textures", resources)?;
-        Ok(Arc::new(SphereTexturesTexture { cells, textures, lines: self.lines.build(resources)? }))
+        made(SphereTexturesTexture { cells, textures, lines: self.lines.build(resources)? })
     }
 }
 

@@ -1,33 +1,25 @@
 //! Stripes (Suffern, ch. 30).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::cells::{self, OFFSET, is_even};
-use super::{Chooser, Color, Paint, Specification, Texture, TexturePoint};
-use crate::invalid::{Invalid, positive};
+use super::{Chooser, Color, Made, Paint, Specification, TexturePoint, made};
 use crate::kinds::{self, Resources};
-use crate::math::{Axis, Length, floor};
+use crate::math::{Axis, Distance, floor};
 
 /// Layers of two alternating colours, perpendicular to an axis of the object's own coordinates. As
 /// for `checker3d`, the borders are slightly above the multiples of the size, so that a face at
 /// such a multiple has one colour.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Stripes {
     /// The axis along which the colours change.
     pub axis: Axis,
     /// The width of a stripe, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Distance,
     /// The colour of the stripe from 0 to `size`.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub color1: Paint,
     /// The colour of the stripes beside it.
-    #[serde(default = "cells::half_grey")]
+    #[default(cells::half_grey())]
     pub color2: Paint,
 }
 
@@ -40,13 +32,13 @@ struct StripesTexture {
 }
 
 impl Specification for Stripes {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(StripesTexture {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(StripesTexture {
             axis: self.axis,
-            size: positive("size", self.size)?,
+            size: self.size,
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
-        }))
+        })
     }
 }
 

@@ -1,12 +1,6 @@
 //! The instance of a texture, the book's `TInstance` (Suffern, ch. 30): a transformed texture.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Color, Paint, Specification, Texel, Texture, TexturePoint};
-use crate::invalid::Invalid;
+use super::{Color, Made, Paint, Specification, Texel, Texture, TexturePoint, made};
 use crate::kinds::Resources;
 use crate::math::{Step, Transform};
 use crate::rgb::Rgb;
@@ -15,8 +9,7 @@ use crate::shapes::transform_of;
 /// A texture that is translated, rotated, scaled or sheared relative to its object: the colour at a
 /// local point p is that of the texture at M⁻¹p. The texture coordinates and the triangles of a
 /// mesh belong to the surface and are not transformed.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct TextureInstance {
     /// The texture to transform; it may be an instance itself, whose steps are applied first.
     pub of: Paint,
@@ -39,9 +32,9 @@ struct TextureInstanceTexture {
 }
 
 impl Specification for TextureInstance {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let transform = transform_of("transform", &self.transform)?;
-        Ok(Arc::new(TextureInstanceTexture { of: self.of.build("of", resources)?, transform }))
+        made(TextureInstanceTexture { of: self.of.build("of", resources)?, transform })
     }
 }
 

@@ -1,50 +1,39 @@
 //! Wrapped noise of three colours (Suffern, ch. 31): the book's `WrappedThreeColors`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::noise_field::{Expanded, Range, Wrapped};
-use super::{Paint, Specification, Texture};
+use super::{Made, Paint, Specification, made};
 use crate::invalid::{Invalid, finite};
-use crate::kinds::{self, Resources};
-use crate::math::{Length, lists};
+use crate::kinds::Resources;
+use crate::math::{Length, Positive, Strength};
 use crate::noise::Noise;
 
 /// As `wrapped_fbm`, with three colours separated by two thresholds of `expansion · fBm`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct ThreeColors {
     /// The noise.
-    #[serde(default)]
+    #[default]
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Length,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
-    #[serde(default = "three")]
-    pub expansion: f64,
+    #[default(3.0)]
+    pub expansion: Positive,
     /// The noise at which the second and the third colour begin; ascending.
-    #[serde(default = "thresholds", deserialize_with = "lists::exactly")]
+    #[default([1.35, 2.0])]
     pub thresholds: [f64; 2],
     /// The brightness where the fractional part is 0; not negative.
-    #[serde(default)]
-    pub min: f64,
+    #[default]
+    pub min: Strength,
     /// The brightness where the fractional part approaches 1; not negative.
-    #[serde(default = "kinds::one")]
-    pub max: f64,
+    #[default(1.0)]
+    pub max: Strength,
     /// The colour where the noise is below both thresholds.
     pub color1: Paint,
     /// The colour where the noise is between the thresholds.
     pub color2: Paint,
     /// The colour where the noise is above both thresholds.
     pub color3: Paint,
-}
-
-fn three() -> f64 {
-    3.0
 }
 
 fn thresholds() -> [f64; 2] {
@@ -61,7 +50,7 @@ impl ThreeColors {
 }
 
 impl Specification for ThreeColors {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         let [first, second] = self.thresholds;
         finite("thresholds", first).and(finite("thresholds", second))?;
         if second < first {
@@ -69,15 +58,15 @@ impl Specification for ThreeColors {
             let problem = format!("found {found:?}, but the second has to be at least the first");
             return Err(Invalid::field("thresholds", problem));
         }
-        Ok(Arc::new(Wrapped {
+        made(Wrapped {
             noise: Expanded::build(&self.noise, self.size, self.expansion)?,
-            range: Range::build(self.min, self.max)?,
+            range: Range { min: self.min, max: self.max },
             thresholds: self.thresholds.into(),
             colors: vec![
                 self.color1.build("color1", resources)?,
                 self.color2.build("color2", resources)?,
                 self.color3.build("color3", resources)?,
             ],
-        }))
+        })
     }
 }

@@ -1,39 +1,31 @@
 //! The turbulence texture (Suffern, ch. 31): the book's `TurbulenceTexture`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::noise_field::{NoiseField, Range};
-use super::{Color, Paint, Specification, Texture, TexturePoint};
-use crate::invalid::Invalid;
+use super::{Color, Made, Paint, Specification, Texture, TexturePoint, made};
 use crate::kinds::{self, Resources};
-use crate::math::Length;
+use crate::math::{Length, Strength};
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
 /// Turbulence as brightness: `min + (max − min) turbulence` times a colour. It has dark veins where
 /// the noise changes sign.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Turbulence {
     /// The noise; gain and lacunarity are not used.
-    #[serde(default)]
+    #[default]
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Length,
     /// The brightness where the turbulence is 0; not negative.
-    #[serde(default)]
-    pub min: f64,
+    #[default]
+    pub min: Strength,
     /// The brightness where the turbulence is 1; not negative. It may be above 1, because few
     /// points have a turbulence near 1.
-    #[serde(default = "kinds::one")]
-    pub max: f64,
+    #[default(1.0)]
+    pub max: Strength,
     /// The colour at brightness 1.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub color: Paint,
 }
 
@@ -52,12 +44,12 @@ struct TurbulenceTexture {
 }
 
 impl Specification for Turbulence {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(TurbulenceTexture {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(TurbulenceTexture {
             field: NoiseField::build(&self.noise, self.size)?,
-            range: Range::build(self.min, self.max)?,
+            range: Range { min: self.min, max: self.max },
             color: self.color.build("color", resources)?,
-        }))
+        })
     }
 }
 

@@ -1,39 +1,31 @@
 //! Wrapped noise of two colours (Suffern, ch. 31): the book's `WrappedTwoColors` and
 //! `NestedNoises`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::noise_field::{self, Expanded, Range, Wrapped};
-use super::{Paint, Specification, Texture};
-use crate::invalid::Invalid;
-use crate::kinds::{self, Resources};
-use crate::math::Length;
+use super::noise_field::{Expanded, Range, Wrapped};
+use super::{Made, Paint, Specification, made};
+use crate::kinds::Resources;
+use crate::math::{Length, Positive, Strength};
 use crate::noise::Noise;
 
 /// As `wrapped_fbm`, with one colour where `expansion · fBm` is below 1 and another elsewhere. If
 /// the second is a noise texture, these are the book's nested noises.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct TwoColors {
     /// The noise.
-    #[serde(default)]
+    #[default]
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Length,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
-    #[serde(default = "noise_field::two")]
-    pub expansion: f64,
+    #[default(2.0)]
+    pub expansion: Positive,
     /// The brightness where the fractional part is 0; not negative.
-    #[serde(default)]
-    pub min: f64,
+    #[default]
+    pub min: Strength,
     /// The brightness where the fractional part approaches 1; not negative.
-    #[serde(default = "kinds::one")]
-    pub max: f64,
+    #[default(1.0)]
+    pub max: Strength,
     /// The colour where the noise is below 1.
     pub color1: Paint,
     /// The colour where the noise is at least 1.
@@ -49,15 +41,15 @@ impl TwoColors {
 }
 
 impl Specification for TwoColors {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(Wrapped {
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(Wrapped {
             noise: Expanded::build(&self.noise, self.size, self.expansion)?,
-            range: Range::build(self.min, self.max)?,
+            range: Range { min: self.min, max: self.max },
             thresholds: vec![1.0],
             colors: vec![
                 self.color1.build("color1", resources)?,
                 self.color2.build("color2", resources)?,
             ],
-        }))
+        })
     }
 }

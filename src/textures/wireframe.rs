@@ -1,37 +1,25 @@
 //! The wireframe: the edges of triangles (Suffern, ch. 30).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::{Chooser, Color, Paint, Specification, Texture, TexturePoint};
-use crate::invalid::{Invalid, not_negative};
+use super::{Chooser, Color, Made, Paint, Specification, TexturePoint, made};
 use crate::kinds::{self, Resources};
-use crate::math::{Length, exact_cross};
+use crate::math::{Width, exact_cross};
 use crate::rgb::Rgb;
 use crate::shapes::Facet;
 
 /// Lines along the edges of the triangles of a mesh. Shapes without triangles have the colour
 /// `color` everywhere. The lines belong to the triangles: instances of the mesh transform them,
 /// texture instances do not.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Wireframe {
     /// The full width of a line, half of it on each side of the edge, in the unit of the mesh; not
     /// negative.
-    #[schemars(with = "Length")]
-    pub line_width: f64,
+    pub line_width: Width,
     /// The colour of the lines.
-    #[serde(default = "black")]
+    #[default(Rgb::BLACK.into())]
     pub line_color: Paint,
     /// The colour between the lines.
-    #[serde(default = "kinds::white::<Paint>")]
+    #[default(kinds::white())]
     pub color: Paint,
-}
-
-fn black() -> Paint {
-    Rgb::BLACK.into()
 }
 
 #[derive(Debug)]
@@ -42,12 +30,12 @@ struct WireframeTexture {
 }
 
 impl Specification for Wireframe {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(WireframeTexture {
-            line_width: not_negative("line_width", self.line_width)?,
+    fn make(&self, resources: &mut Resources) -> Made {
+        made(WireframeTexture {
+            line_width: self.line_width,
             line_color: self.line_color.build("line_color", resources)?,
             color: self.color.build("color", resources)?,
-        }))
+        })
     }
 }
 

@@ -1,76 +1,62 @@
 //! Wood (Suffern, ch. 31).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::noise_field::NoiseField;
-use super::{Color, Paint, Specification, Texture, TexturePoint};
+use super::{Color, Made, Paint, Specification, Texture, TexturePoint, made};
 use crate::invalid::{Invalid, within};
 use crate::kinds::Resources;
-use crate::math::{Length, Point, Vector, floor};
+use crate::math::{Length, Point, Share, Vector, floor};
 use crate::noise::{LatticeNoise, Noise};
 use crate::rgb::Rgb;
 
 /// A trunk along the y axis: irregular rings of light and dark wood, with grain along the trunk.
 /// Lengths and frequencies are in units of `size`.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+#[kind(Default)]
 pub struct Wood {
     /// The noise.
+    #[default(Noise { lacunarity: 4.0, ..Noise::of_octaves(2) })]
     pub noise: Noise,
     /// The unit of all frequencies and distances, in the unit of the scene; positive.
-    #[schemars(with = "Length")]
-    pub size: f64,
+    #[default(1.0)]
+    pub size: Length,
     /// The colour between rings and grains.
+    #[default(Rgb::new(0.85, 0.55, 0.28).into())]
     pub light: Paint,
     /// The colour of rings and grains.
+    #[default(Rgb::new(0.3, 0.12, 0.04).into())]
     pub dark: Paint,
     /// Rings per unit length.
+    #[default(4.0)]
     pub ring_frequency: f64,
     /// The variation of the width of rings, as a fraction of a ring.
+    #[default(0.25)]
     pub ring_unevenness: f64,
     /// The displacement of the rings by fine noise.
+    #[default(0.02)]
     pub ring_noise: f64,
     /// The frequency of `ring_noise`.
+    #[default(1.0)]
     pub ring_noise_frequency: f64,
     /// The displacement of the axis of the trunk by noise.
+    #[default(0.15)]
     pub trunk_wobble: f64,
     /// The frequency of `trunk_wobble` along y.
+    #[default(0.025)]
     pub trunk_wobble_frequency: f64,
     /// The deviation of rings from circles, in rings.
+    #[default(0.5)]
     pub angular_wobble: f64,
     /// The frequency of `angular_wobble` around the trunk.
+    #[default(1.0)]
     pub angular_wobble_frequency: f64,
     /// Grains per unit length across the trunk; along it they are 20 times as long.
+    #[default(25.0)]
     pub grain_frequency: f64,
     /// How dark grains are, from 0 to 1.
-    pub grainy: f64,
+    #[default(0.5)]
+    pub grainy: Share,
     /// How dark rings are, from 0 to 1.
-    pub ringy: f64,
-}
-
-impl Default for Wood {
-    fn default() -> Self {
-        Self {
-            noise: Noise { lacunarity: 4.0, ..Noise::of_octaves(2) },
-            size: 1.0,
-            light: Rgb::new(0.85, 0.55, 0.28).into(),
-            dark: Rgb::new(0.3, 0.12, 0.04).into(),
-            ring_frequency: 4.0,
-            ring_unevenness: 0.25,
-            ring_noise: 0.02,
-            ring_noise_frequency: 1.0,
-            trunk_wobble: 0.15,
-            trunk_wobble_frequency: 0.025,
-            angular_wobble: 0.5,
-            angular_wobble_frequency: 1.0,
-            grain_frequency: 25.0,
-            grainy: 0.5,
-            ringy: 0.5,
-        }
-    }
+    #[default(0.5)]
+    pub ringy: Share,
 }
 
 impl Wood {
@@ -90,9 +76,6 @@ impl Wood {
         ] {
             within(field, value, -MAX..=MAX)?;
         }
-        for (field, share) in [("grainy", self.grainy), ("ringy", self.ringy)] {
-            within(field, share, 0.0..=1.0)?;
-        }
         Ok(())
     }
 }
@@ -106,14 +89,14 @@ struct WoodTexture {
 }
 
 impl Specification for Wood {
-    fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+    fn make(&self, resources: &mut Resources) -> Made {
         self.check()?;
-        Ok(Arc::new(WoodTexture {
+        made(WoodTexture {
             data: self.clone(),
             field: NoiseField::build(&self.noise, self.size)?,
             light: self.light.build("light", resources)?,
             dark: self.dark.build("dark", resources)?,
-        }))
+        })
     }
 }
 

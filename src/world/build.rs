@@ -7,7 +7,7 @@ use super::placing::{placed_lights, placed_materials, placed_objects, reflectanc
 use super::{Names, PlacedObject, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
-use crate::invalid::{Invalid, positive, shown};
+use crate::invalid::{Invalid, Ranges, shown};
 use crate::kinds::Resources;
 use crate::math::Aabb;
 use crate::samplers::{Kind as SamplerKind, MultiJittered, SampleSets};
@@ -115,9 +115,7 @@ pub fn check_image(image: &Image) -> Result<(), Invalid> {
         let problem = format!("found {}, but 1 to {MAX_SAMPLES} fit", image.samples);
         return Err(Invalid::field("samples", problem));
     }
-    positive("pixel_size", image.pixel_size)?;
-    positive("gamma", image.gamma)?;
-    Ok(())
+    image.check_ranges()
 }
 
 /// Refuses a view whose rays overflow because the corners of the picture are too far away, and a

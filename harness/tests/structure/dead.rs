@@ -6,12 +6,13 @@ use std::path::Path;
 use super::{read, rust_files, without_comments};
 
 /// The folders of all code of the repository.
-const FOLDERS: [&str; 11] = [
+const FOLDERS: [&str; 12] = [
     "src",
     "explain",
     "formats",
     "gallery",
     "harness",
+    "kind",
     "oracle/src",
     "inspector",
     "tests",

@@ -4,16 +4,12 @@
 mod directions;
 mod flat;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::Texels;
 use crate::invalid::Invalid;
 use crate::rgb::Rgb;
 
 /// An image drawn by a formula.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Copy, PartialEq, Eq, Hash)]
 pub struct Drawn {
     /// What it shows.
     pub picture: Picture,
@@ -24,8 +20,7 @@ pub struct Drawn {
 }
 
 /// What a drawn image shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[kind(Hash)]
 #[schemars(title = "pictures")]
 pub enum Picture {
     /// Lines every 1/24 of the width and 1/12 of the height; red increases to the right, green

@@ -3,36 +3,27 @@
 //!
 //! A ray hits the nearest hit of all parts, if it meets the box around them.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::assembly::{Assembly, PartData};
 use crate::accel::Method;
 use crate::invalid::Invalid;
-use crate::shapes::{Context, Kind, Shape, Specification};
+use crate::shapes::{Context, Kind, Made, Specification, made};
 
 /// Shapes that are hit, transformed and searched as one; they may be compounds themselves.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Compound {
     /// How rays find its parts. If left out: as the scene, but up to eight parts one by one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
     /// The parts; of two hit at the same distance, the first is seen.
     pub parts: Vec<Part>,
 }
 
 /// A part of a compound.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Part {
     /// What people call it; it need not be unique.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[optional]
     pub name: String,
     /// The name of its material; the compound's if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub material: Option<String>,
     /// What it is.
     pub shape: Kind,
@@ -59,7 +50,7 @@ impl Compound {
 }
 
 impl Specification for Compound {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         if self.parts.is_empty() {
             return Err(Invalid::field("parts", "found none, but a compound has at least one"));
         }
@@ -68,6 +59,6 @@ impl Specification for Compound {
             material: part.material.as_deref(),
             shape: &part.shape,
         });
-        Ok(Arc::new(Assembly::build("parts", parts, self.accel, context)?))
+        made(Assembly::build("parts", parts, self.accel, context)?)
     }
 }

@@ -6,20 +6,15 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
-use crate::kinds;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 use crate::shapes::{
-    Candidate, Context, Kind, Role, SampledSurface, Sampling, Shape, Specification, Surface,
-    Within, normal_along,
+    Candidate, Context, Kind, Made, Role, SampledSurface, Sampling, Shape, Specification, Surface,
+    Within, made, normal_along,
 };
 
 /// A shape transformed by a list of steps, first to last.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Instance {
     /// What is transformed; it may be an instance itself.
     pub of: Box<Kind>,
@@ -27,8 +22,7 @@ pub struct Instance {
     pub transform: Vec<Step>,
     /// Whether the texture moves with the shape. If not, it is looked up at the point where the ray
     /// hits this instance (the book's `transform_the_texture`).
-    #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
-    #[schemars(extend("default" = true))]
+    #[optional(true)]
     pub transform_texture: bool,
 }
 
@@ -48,7 +42,7 @@ impl Instance {
 }
 
 impl Specification for Instance {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let transform = transform_of("transform", &self.transform)?;
         let shape = context.transformed(&transform, |context| self.of.build(context))?;
         if shape.bounds().is_bounded() && !transform.bounds(&shape.bounds()).is_bounded() {
@@ -56,7 +50,7 @@ impl Specification for Instance {
             return Err(Invalid::field("transform", problem));
         }
         let transform_texture = self.transform_texture;
-        Ok(Arc::new(Placed { shape, transform, transform_texture }))
+        made(Placed { shape, transform, transform_texture })
     }
 }
 

@@ -6,30 +6,25 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::instance::surface_seen_through;
 use crate::accel::{Accel, Method};
-use crate::invalid::{Invalid, finite_vector};
-use crate::math::{Aabb, Length, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
-use crate::shapes::{Candidate, Context, Kind, Role, Shape, Specification, Surface, Within};
+use crate::invalid::Invalid;
+use crate::math::{Aabb, Displacement, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector};
+use crate::shapes::{
+    Candidate, Context, Kind, Made, Role, Shape, Specification, Surface, Within, made,
+};
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All
 /// share what is copied, so that a lattice of lattices can hold more copies than there are atoms.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind]
 pub struct Lattice {
     /// What is copied; the first copy stands where it is.
     pub of: Box<Kind>,
     /// How many copies there are along x, y and z, each at least 1.
-    #[serde(deserialize_with = "lists::exactly")]
     pub counts: [u32; 3],
     /// How far it is from one copy to the next along x, y and z.
-    #[schemars(with = "Length<Vector>")]
-    pub spacing: Vector,
+    pub spacing: Displacement,
     /// How rays find the copies; as the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
 }
 
@@ -49,8 +44,7 @@ struct LatticeShape {
 }
 
 impl Specification for Lattice {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let spacing = finite_vector("spacing", self.spacing)?;
+    fn make(&self, context: &mut Context) -> Made {
         if self.counts.contains(&0) {
             let problem = format!("found {:?}, but each must be at least 1", self.counts);
             return Err(Invalid::field("counts", problem));
@@ -66,17 +60,17 @@ impl Specification for Lattice {
             let problem = "more than 2⁶⁴ shapes are nested here; leave out a level";
             return Err(Invalid::field("counts", problem));
         }
-        let places = Places { counts: self.counts, spacing };
+        let places = Places { counts: self.counts, spacing: self.spacing };
         let inner = shape.bounds();
         let copies = 0..copies as u32;
         let bounds: Vec<Aabb> = copies.map(|copy| places.bounds(copy, &inner)).collect();
-        Ok(Arc::new(LatticeShape {
+        made(LatticeShape {
             accel: Accel::build(self.accel.unwrap_or(context.accel()), &bounds),
             bounds: bounds.into_iter().fold(Aabb::EMPTY, Aabb::union),
             shape,
             leaves,
             places,
-        }))
+        })
     }
 }
 

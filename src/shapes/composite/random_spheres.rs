@@ -5,35 +5,29 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::accel::{Accel, Method};
-use crate::invalid::{Invalid, length};
-use crate::kinds;
+use crate::invalid::Invalid;
 use crate::math::{Aabb, Length, Pcg32, Point, Ray, Span};
 use crate::shapes::trimmed::{Carrier, Roots};
-use crate::shapes::{Candidate, Context, Shape, Specification, Sphere, Surface, Within, textbook};
+use crate::shapes::{
+    Candidate, Context, Made, Shape, Specification, Sphere, Surface, Within, textbook,
+};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct RandomSpheres {
     /// How many spheres there are; at least 1.
     pub count: u32,
     /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)`
     /// with a volume of 0.1.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// Half the side of the cube of centres; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub half_side: f64,
+    #[default(1.0)]
+    pub half_side: Length,
     /// Chooses the centres: another seed gives other centres.
-    #[serde(default)]
+    #[default]
     pub seed: u64,
     /// How rays find the spheres; as the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
 }
 
@@ -45,9 +39,7 @@ struct RandomSpheresShape {
 }
 
 impl Specification for RandomSpheres {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        length("radius", self.radius)?;
-        length("half_side", self.half_side)?;
+    fn make(&self, context: &mut Context) -> Made {
         if self.count == 0 {
             return Err(Invalid::field("count", "found 0, but at least one sphere is needed"));
         }

@@ -9,70 +9,51 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::vertex_normals::{are_opposed, mean_normals, reverse_winding};
 use crate::accel;
-use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Resources};
-use crate::math::{Aabb, Length, Normal, Point, Vector, lists};
-use crate::shapes::{Context, Shape, Specification, TriangleMesh, mesh_lists, size_problem};
+use crate::invalid::{Invalid, Ranges};
+use crate::kinds::Resources;
+use crate::math::{Aabb, Distance, Normal, Point, Vector};
+use crate::shapes::{Context, Made, Shape, Specification, TriangleMesh, mesh_lists, size_problem};
 use formats::meshes::MeshData;
 
 /// The triangles of a PLY or OBJ file, or of lists in the scene. The front of a triangle is the
 /// side from which its corners run counter-clockwise. If the given vertex normals are on the back
 /// of most of the area, the winding of all triangles is reversed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Mesh {
     /// The file, relative to the scene file; it ends in `.ply` or `.obj`. Either this, or
     /// `vertices` and `triangles`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// Instead of a file: the vertices that triangles share, as `[x, y, z]`; finite.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-dimension" = "1"))]
     pub vertices: Option<Vec<Point>>,
     /// Instead of a file: three indices into `vertices`, counted from 0, for each triangle; at
     /// least one triangle.
-    #[serde(
-        default,
-        deserialize_with = "lists::of_rows_if_any",
-        skip_serializing_if = "Option::is_none"
-    )]
     pub triangles: Option<Vec<[u32; 3]>>,
     /// Optional, with `vertices`: one normal for each vertex, of any length; a zero vector means
     /// the mean normal of the faces around the vertex.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub normals: Option<Vec<Vector>>,
     /// Optional, with `vertices`: texture coordinates `[u, v]` for each vertex; finite.
-    #[serde(
-        default,
-        deserialize_with = "lists::of_rows_if_any",
-        skip_serializing_if = "Option::is_none"
-    )]
     pub uvs: Option<Vec<[f64; 2]>>,
     /// Multiplies the coordinates; positive. To move or rotate the mesh, wrap it in an `instance`.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub scale: f64,
+    #[default(1.0)]
+    pub scale: Distance,
     /// Whether shading uses normals interpolated between the vertices, so that edges do not show:
     /// the given vertex normals, or the mean normal of the adjacent faces where a normal is missing
     /// or zero.
-    #[serde(default)]
+    #[default]
     pub smooth: bool,
     /// Whether all normals are reversed, for files that are wound clockwise or have normals that
     /// point inward.
-    #[serde(default)]
+    #[default]
     pub reverse_normals: bool,
     /// The acceleration structure of its triangles; that of the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<accel::Method>,
 }
 
 impl Specification for Mesh {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         if let Some(file) = &self.file {
             mesh_lists::check_absent(self)?;
             return context.shared(self, |context| {
@@ -112,6 +93,7 @@ impl Mesh {
     /// # Errors
     /// The file cannot be read, or the lists are invalid.
     pub fn triangle_mesh(&self, resources: &mut Resources) -> Result<TriangleMesh, Invalid> {
+        self.check_ranges()?;
         match &self.file {
             Some(file) => {
                 mesh_lists::check_absent(self)?;
@@ -128,7 +110,6 @@ impl Mesh {
         field: &str,
         context: &mut Context,
     ) -> Result<Arc<dyn Shape>, Invalid> {
-        positive("scale", self.scale)?;
         context.add_triangles(data.triangles.len() as u64).map_err(|e| e.inside(field))?;
         let mesh = self.triangle_mesh_of(data, field)?;
         Ok(mesh.into_shape(self.accel, context))
@@ -136,9 +117,8 @@ impl Mesh {
 
     /// The mesh of `data`.
     fn triangle_mesh_of(&self, data: &MeshData, field: &str) -> Result<TriangleMesh, Invalid> {
-        let scale = positive("scale", self.scale)?;
         let vertices: Vec<_> =
-            data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
+            data.vertices.iter().map(|&v| Point::from(v).scaled(self.scale)).collect();
         let normals: Option<Vec<_>> = data
             .normals
             .as_ref()

@@ -10,50 +10,37 @@
 //! normals are means of the adjacent faces, because `p/|p|` is normal to the sphere only.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 use crate::accel::Method;
-use crate::invalid::{Invalid, length};
-use crate::kinds;
+use crate::invalid::Invalid;
 use crate::math::{Length, Normal, Point, cos, sin};
-use crate::shapes::{Context, Shape, Specification, TriangleMesh};
+use crate::shapes::{Context, Made, Specification, TriangleMesh};
 
 /// A sphere about the origin made of `2 h (v − 1)` triangles (`h` = `horizontal`, `v` =
 /// `vertical`), optionally with bumps.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct TessellatedSphere {
     /// The number of steps around the y axis: from 3 to 4096.
     pub horizontal: u32,
     /// The number of steps from pole to pole: from 2 to 4096.
     pub vertical: u32,
     /// The radius; positive.
-    #[serde(default = "kinds::one")]
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    #[default(1.0)]
+    pub radius: Length,
     /// Whether shading uses normals interpolated between the corners, so that edges do not show.
-    #[serde(default)]
+    #[default]
     pub smooth: bool,
     /// The height of bumps, relative to the radius; at least 0, below 1. The distance of the vertex
     /// at azimuth φ and polar angle θ from the origin is multiplied by `1 + bumps (2/3 sin 9φ sin
     /// 7θ + 1/3 sin 31θ)`.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    #[schemars(extend("default" = 0.0))]
+    #[optional(0.0)]
     pub bumps: f64,
     /// The acceleration structure of its triangles; that of the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
 }
 
-fn is_zero(height: &f64) -> bool {
-    *height == 0.0
-}
-
 impl Specification for TessellatedSphere {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         for (field, value, least) in
             [("horizontal", self.horizontal, 3), ("vertical", self.vertical, 2)]
         {
@@ -62,7 +49,6 @@ impl Specification for TessellatedSphere {
                 return Err(Invalid::field(field, problem));
             }
         }
-        length("radius", self.radius)?;
         if !(0.0..1.0).contains(&self.bumps) {
             let problem = format!("found {}, but a number from 0 to below 1 is needed", self.bumps);
             return Err(Invalid::field("bumps", problem));

@@ -4,52 +4,40 @@
 //! A hit of the plane is tested for its distance from the centre and for φ. [`Angles`] tests φ by
 //! cross products with both ends; the book computes φ itself and cannot cross φ = 0.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::math::{Length, Point, Vector, lists};
+use crate::math::{Length, Point, Vector, Width};
 use crate::shapes::plain::annulus::{Radii, radii};
 use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::trimmed::Trimmed;
-use crate::shapes::{Context, Shape, Specification};
+use crate::shapes::{Context, Made, Specification, made};
 
 /// The part of a level annulus within a range of azimuths.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct PartAnnulus {
     /// The centre.
     pub center: Point,
     /// Upward or downward, as azimuths are about the y axis; need not be unit.
-    #[serde(default = "upward")]
+    #[default(Vector::Y)]
     pub normal: Vector,
     /// The radius of the hole; not negative.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Width,
     /// The outer radius, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
     /// 360; through 360 where the first is larger.
-    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    #[default(full_turn())]
     pub phi: [f64; 2],
 }
 
-fn upward() -> Vector {
-    Vector::Y
-}
-
 impl Specification for PartAnnulus {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let plane = PlaneThrough::checked("center", self.center, self.normal)?;
+    fn make(&self, _: &mut Context) -> Made {
+        let plane = PlaneThrough::checked(self.center, self.normal)?;
         check_vertical(self.normal)?;
         let ends = radii(self.inner_radius, self.outer_radius)?;
         let (radii, phi) = (Radii::between(ends), Angles::new("phi", self.phi)?);
         let (size, bounds) = (radii.size(self.center), phi.bounds(self.center, ends, [0.0; 2]));
-        Ok(Arc::new(Trimmed::new(plane, (radii, phi), size, bounds)))
+        made(Trimmed::new(plane, (radii, phi), size, bounds))
     }
 }
 

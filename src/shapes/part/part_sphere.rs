@@ -7,42 +7,31 @@
 //! `r cos θ_max ≤ y ≤ r cos θ_min`; here θ is tested by `sin(θ − θ_min) ≥ 0` and
 //! `sin(θ_max − θ) ≥ 0`, as near the poles y hardly changes with θ.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::math::{Length, Point, Vector, cos_degrees, lists, sin_degrees};
+use crate::math::{Length, Point, Vector, cos_degrees, sin_degrees};
 use crate::shapes::border::along;
 use crate::shapes::trimmed::{Trim, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Sphere};
+use crate::shapes::{Context, Made, Specification, Sphere, made};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct PartSphere {
     /// The centre.
     pub center: Point,
     /// The radius; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
     /// 360; through 360 where the first is larger.
-    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    #[default(full_turn())]
     pub phi: [f64; 2],
     /// From the first polar angle down to the second, in degrees from +y: `[0, 90]` is the upper
     /// hemisphere.
-    #[serde(deserialize_with = "lists::exactly", default = "pole_to_pole")]
+    #[default([0.0, 180.0])]
     pub theta: [f64; 2],
     /// Whether the normal points to the centre: the book's concave part sphere.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
-}
-
-fn pole_to_pole() -> [f64; 2] {
-    [0.0, 180.0]
 }
 
 /// The points of a sphere with a polar angle in this range.
@@ -55,9 +44,9 @@ struct PolarRange {
 }
 
 impl Specification for PartSphere {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         let Self { center, radius, phi, theta, inward } = *self;
-        let whole = Sphere { center, radius, inward }.checked()?;
+        let whole = Sphere { center, radius, inward };
         let phi = Angles::new("phi", phi)?;
         let [from, to] = theta;
         let ordered = 0.0 <= from && from < to && to <= 180.0;
@@ -69,7 +58,7 @@ impl Specification for PartSphere {
         let polar = PolarRange::new(theta, radius);
         let bounds = phi.bounds(center, polar.axis_distances(radius), polar.heights);
         let size = radius + center.to_vector().max_abs();
-        Ok(Arc::new(Trimmed::new(whole, (polar, phi), size, bounds)))
+        made(Trimmed::new(whole, (polar, phi), size, bounds))
     }
 }
 

@@ -5,41 +5,32 @@
 //! All hits of the torus are tested in turn. [`Angles`] tests φ and θ by cross products with both
 //! ends; the book computes the angles themselves and cannot cross φ = 0.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::angles::{Angles, full_turn};
-use crate::invalid::Invalid;
-use crate::math::{Length, Point, Vector, lists};
+use crate::math::{Length, Point, Vector};
 use crate::shapes::border::along;
 use crate::shapes::textbook;
 use crate::shapes::trimmed::{Trim, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Torus};
+use crate::shapes::{Context, Made, Specification, Torus, made};
 
 /// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the
 /// tube θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first
 /// end is the larger goes on through 360°.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct PartTorus {
     /// The radius of the circle in the middle of the tube, the book's `a`; positive.
-    #[schemars(with = "Length")]
-    pub swept_radius: f64,
+    pub swept_radius: Length,
     /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
-    #[schemars(with = "Length")]
-    pub tube_radius: f64,
+    pub tube_radius: Length,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
     /// 360; through 360 where the first is larger.
-    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    #[default(full_turn())]
     pub phi: [f64; 2],
     /// From the first angle around the tube up to the second, in degrees from its outermost line
     /// upward.
-    #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
+    #[default(full_turn())]
     pub theta: [f64; 2],
     /// Whether the normal points into the tube instead.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
 }
 
@@ -51,7 +42,7 @@ struct AroundTube {
 }
 
 impl Specification for PartTorus {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         let &Self { swept_radius, tube_radius, inward, .. } = self;
         let torus = Torus { swept_radius, tube_radius, inward };
         torus.check()?;
@@ -61,7 +52,7 @@ impl Specification for PartTorus {
             .map(|[cos, sin]| [swept_radius + tube_radius * cos, tube_radius * sin]);
         let bounds = phi.bounds(Point::ORIGIN, [near, far], [low, high]);
         let trims = (AroundTube { swept_radius, theta }, phi);
-        Ok(Arc::new(Trimmed::new(torus, trims, swept_radius + tube_radius, bounds)))
+        made(Trimmed::new(torus, trims, swept_radius + tube_radius, bounds))
     }
 }
 

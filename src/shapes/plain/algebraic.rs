@@ -12,34 +12,29 @@
 use std::sync::Arc;
 
 use arrayvec::ArrayVec;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
-use crate::invalid::{Invalid, finite, shown};
+use crate::invalid::{Invalid, Ranges, shown};
 use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
-    Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, lists, power,
+    Aabb, Finite, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, power,
 };
 use crate::shapes::{
-    Candidate, Context, Cuboid, Shape, Specification, Surface, normal_along, textbook,
+    Candidate, Context, Cuboid, Made, Shape, Specification, Surface, made, normal_along, textbook,
 };
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Term {
     /// The number before the powers; finite.
     #[schemars(extend("x-dimension" = "1/length^powers"))]
-    pub coefficient: f64,
+    pub coefficient: Finite,
     /// The powers of x, y and z: whole numbers whose sum is at most 16.
-    #[serde(deserialize_with = "lists::exactly")]
     pub powers: [u32; 3],
 }
 
 /// The points inside a box where the sum of the terms is zero; the normal points to where it is
 /// positive. The degree is that of the textbooks' surfaces and more: up to 16.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Algebraic {
     /// The terms of the sum; at least one is not a constant.
     pub terms: Vec<Term>,
@@ -94,7 +89,7 @@ pub struct AlgebraicShape {
 }
 
 impl Specification for Algebraic {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         for (index, term) in self.terms.iter().enumerate() {
             term.check().map_err(|e| e.inside(index).inside("terms"))?;
         }
@@ -113,7 +108,7 @@ impl Specification for Algebraic {
         let domain = Cuboid { min: self.min, max: self.max };
         domain.build(context)?;
         check_size(&terms, degree, domain.bounds())?;
-        Ok(Arc::new(AlgebraicShape { terms, degree, domain }))
+        made(AlgebraicShape { terms, degree, domain })
     }
 }
 
@@ -156,7 +151,7 @@ impl Term {
     }
 
     fn check(&self) -> Result<(), Invalid> {
-        finite("coefficient", self.coefficient)?;
+        self.check_ranges()?;
         if self.degree() as usize <= MAX_DEGREE {
             return Ok(());
         }

@@ -4,32 +4,24 @@
 //! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book,
 //! whose own test has `<` for `≤`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length, not_negative, shown};
-use crate::math::{Length, Point, Vector};
+use crate::invalid::{Invalid, shown};
+use crate::math::{Length, Point, Vector, Width};
 use crate::shapes::border::along;
 use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::trimmed::{All, Trim, Trimmed};
-use crate::shapes::{Context, Shape, Specification};
+use crate::shapes::{Context, Made, Specification, made};
 
 /// The points of a plane from `inner_radius` to `outer_radius` away from `center`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Annulus {
     /// The centre.
     pub center: Point,
     /// Perpendicular to the annulus; not zero, need not be unit.
     pub normal: Vector,
     /// The radius of the hole; not negative.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Width,
     /// The outer radius, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
 }
 
 /// The points with `r_in² ≤ |p − c|² ≤ r_out²`.
@@ -41,18 +33,16 @@ pub struct Radii {
 }
 
 impl Specification for Annulus {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let plane = PlaneThrough::checked("center", self.center, self.normal)?;
+    fn make(&self, _: &mut Context) -> Made {
+        let plane = PlaneThrough::checked(self.center, self.normal)?;
         let radii = Radii::between(radii(self.inner_radius, self.outer_radius)?);
         let (size, bounds) = (radii.size(self.center), plane.bounds_within(radii.outer));
-        Ok(Arc::new(Trimmed::new(plane, (radii, All), size, bounds)))
+        made(Trimmed::new(plane, (radii, All), size, bounds))
     }
 }
 
 /// The fields `inner_radius` and `outer_radius`, if they are in order.
 pub fn radii(inner: f64, outer: f64) -> Result<[f64; 2], Invalid> {
-    not_negative("inner_radius", inner)?;
-    length("outer_radius", outer)?;
     if inner >= outer {
         let (inner, outer) = (shown(inner), shown(outer));
         let problem = format!("found {outer}, but it must be above inner_radius, {inner}");

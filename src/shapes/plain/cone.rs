@@ -12,31 +12,22 @@
 //! - A hit on the other half of the double cone, above the apex, is recognised by the signs of the
 //!   coefficients, not by its rounded height.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length};
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::plain::rim::Rim;
 use crate::shapes::textbook::schoolbook_roots;
 use crate::shapes::trimmed::{All, Carrier, Roots, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
+use crate::shapes::{Context, Made, Specification, Surface, made, normal_along};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
 /// circle of radius `r` in the plane `y = 0`. The normal points outward, or to the axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Cone {
     /// The height; positive.
-    #[schemars(with = "Length")]
-    pub height: f64,
+    pub height: Length,
     /// The radius of the open base; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// Whether the normal points to the axis.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
 }
 
@@ -52,13 +43,13 @@ struct Wall {
 }
 
 impl Specification for Cone {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let (h, r) = (length("height", self.height)?, length("radius", self.radius)?);
+    fn make(&self, _: &mut Context) -> Made {
+        let Self { height: h, radius: r, .. } = *self;
         let wall = Wall { data: self.clone(), slope: r / h };
         let rim =
             Rim { y: 0.0, radius: r, is_flat: h < r, slopes: [-h / r; 2], book_heights: [0.0, h] };
         let bounds = Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, h, r) };
-        Ok(Arc::new(Trimmed::new(wall, (rim, All), h.max(r), bounds)))
+        made(Trimmed::new(wall, (rim, All), h.max(r), bounds))
     }
 }
 

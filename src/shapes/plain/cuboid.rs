@@ -9,17 +9,15 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, finite_point};
+use crate::invalid::Invalid;
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::border::Border;
-use crate::shapes::{Candidate, Context, Face, Shape, Specification, Surface, Within, textbook};
+use crate::shapes::{
+    Candidate, Context, Face, Made, Shape, Specification, Surface, Within, made, textbook,
+};
 
 /// The surface of the box between two corners; normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Cuboid {
     /// The corner with the smallest coordinates.
     pub min: Point,
@@ -28,8 +26,8 @@ pub struct Cuboid {
 }
 
 impl Specification for Cuboid {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let (min, max) = (finite_point("min", self.min)?, finite_point("max", self.max)?);
+    fn make(&self, _: &mut Context) -> Made {
+        let Self { min, max } = *self;
         if (0..3).any(|axis| min.along(axis) >= max.along(axis)) {
             let (min, max) = (min.to_array(), max.to_array());
             return Err(Invalid::field(
@@ -37,7 +35,7 @@ impl Specification for Cuboid {
                 format!("found {max:?}, but each coordinate must be above that of min, {min:?}"),
             ));
         }
-        Ok(Arc::new(self.clone()))
+        made(self.clone())
     }
 }
 

@@ -3,36 +3,27 @@
 //!
 //! A ray meets the plane at `t = −o_y/d_y`, and then the point is tested, as in the book.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Aabb, Length, Normal, Point, Vector};
 use crate::shapes::border::along;
 use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::trimmed::{Trim, Trimmed};
-use crate::shapes::{Context, Shape, Specification};
+use crate::shapes::{Context, Made, Specification, made};
 
 /// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
 /// (0, 1, 0).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct CutFace {
     /// The side of the square; positive.
-    #[schemars(with = "Length")]
-    pub size: f64,
+    pub size: Length,
     /// The radius of the hole: positive, and less than from the middle to a corner. Where it is
     /// more than half of `size`, four corners are left.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
 }
 
 impl Specification for CutFace {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let size = length("size", self.size)?;
-        let radius = length("radius", self.radius)?;
+    fn make(&self, _: &mut Context) -> Made {
+        let Self { size, radius } = *self;
         let to_corner = size * std::f64::consts::FRAC_1_SQRT_2;
         if radius >= to_corner {
             let (radius, size, most) = (shown(radius), shown(size), shown(to_corner));
@@ -44,7 +35,7 @@ impl Specification for CutFace {
         let half = 0.5 * size;
         let bounds = Aabb { min: Point::new(-half, 0.0, -half), max: Point::new(half, 0.0, half) };
         let plane = PlaneThrough::new(Point::ORIGIN, Normal::Y);
-        Ok(Arc::new(Trimmed::new(plane, (Square { half }, Hole { radius }), size, bounds)))
+        made(Trimmed::new(plane, (Square { half }, Hole { radius }), size, bounds))
     }
 }
 

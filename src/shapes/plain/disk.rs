@@ -5,44 +5,37 @@
 //! whose own test has `<` for `≤`.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length};
 use crate::math::{Frame, Length, Point, Vector, maps};
 use crate::shapes::plain::annulus::Radii;
 use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::trimmed::{All, Trimmed};
-use crate::shapes::{Context, Sampling, Shape, Specification, Surface};
+use crate::shapes::{Context, Made, Sampling, Specification, Surface, made};
 
 /// The points of a plane within `radius` of `center`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Disk {
     /// The centre.
     pub center: Point,
     /// Perpendicular to the disk; not zero, need not be unit.
     pub normal: Vector,
     /// The radius; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
 }
 
 type DiskShape = Trimmed<PlaneThrough, Radii>;
 
 impl Specification for Disk {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let plane = PlaneThrough::checked("center", self.center, self.normal)?;
-        let radii = Radii::within(length("radius", self.radius)?);
+    fn make(&self, _: &mut Context) -> Made {
+        let plane = PlaneThrough::checked(self.center, self.normal)?;
+        let radii = Radii::within(self.radius);
         let (size, bounds) = (radii.size(self.center), plane.bounds_within(self.radius));
         let sampler = |disk: &DiskShape, sampling| {
             (sampling == Sampling::Area).then(|| Box::new(ByArea(disk.clone())) as _)
         };
         let disk = Trimmed::new(plane, (radii, All), size, bounds);
-        Ok(Arc::new(Trimmed { sampler, ..disk }))
+        made(Trimmed { sampler, ..disk })
     }
 }
 

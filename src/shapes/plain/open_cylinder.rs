@@ -7,52 +7,44 @@
 //! `a r² − (o_x d_z − o_z d_x)²`, which keeps its digits for far origins and thin cylinders
 //! ([`circle_roots`]).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, finite, length};
-use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
+use crate::invalid::Invalid;
+use crate::math::{
+    Aabb, Coordinate, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots,
+};
 use crate::shapes::textbook::schoolbook_roots;
 use crate::shapes::trimmed::{All, Carrier, Roots, Trim, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
+use crate::shapes::{Context, Made, Specification, Surface, made, normal_along};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the
 /// axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct OpenCylinder {
     /// The lower end.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The upper end, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// The radius; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// Whether the normal points to the axis: the book's concave open cylinder.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
 }
 
 impl Specification for OpenCylinder {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         let Self { y0, y1, radius: r, .. } = self.checked()?;
         let bounds = Aabb { min: Point::new(-r, y0, -r), max: Point::new(r, y1, r) };
-        Ok(Arc::new(Trimmed::new(self.cylinder(), (Heights { y0, y1 }, All), self.size(), bounds)))
+        made(Trimmed::new(self.cylinder(), (Heights { y0, y1 }, All), self.size(), bounds))
     }
 }
 
 impl OpenCylinder {
     /// A copy whose numbers are fit for use.
     pub(in crate::shapes) fn checked(&self) -> Result<Self, Invalid> {
-        let (y0, y1) = (finite("y0", self.y0)?, finite("y1", self.y1)?);
+        let Self { y0, y1, .. } = *self;
         if y0 >= y1 {
             return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
         }
-        length("radius", self.radius)?;
         Ok(self.clone())
     }
 

@@ -6,37 +6,28 @@
 //! `b² − a c` is taken as `k (d_y (k d_y − 2 e) + 2 a o_y) − (o_z d_x − o_x d_z)²`: the parts of
 //! `e²` and `a (o_x² + o_z²)` that cancel are left out.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length};
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 use crate::shapes::plain::rim::Rim;
 use crate::shapes::textbook::schoolbook_roots;
 use crate::shapes::trimmed::{All, Carrier, Roots, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
+use crate::shapes::{Context, Made, Specification, Surface, made, normal_along};
 
 /// The points with `y/h = (x² + z²)/r²` and `y ≤ h`: from the origin up to the circle of radius `r`
 /// at height `h`. The focus is at `y = r²/4h`. The normal points outward (down), or to the axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Paraboloid {
     /// The height; positive.
-    #[schemars(with = "Length")]
-    pub height: f64,
+    pub height: Length,
     /// The radius of the rim; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// Whether the normal points to the axis.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
 }
 
 impl Specification for Paraboloid {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let (h, r) = (length("height", self.height)?, length("radius", self.radius)?);
+    fn make(&self, _: &mut Context) -> Made {
+        let Self { height: h, radius: r, .. } = *self;
         let endless = Endless { data: self.clone(), w: r * r / h };
         let bounds = Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, h, r) };
         let rim = Rim {
@@ -46,7 +37,7 @@ impl Specification for Paraboloid {
             slopes: [0.0, 2.0 * h / r],
             book_heights: [f64::NEG_INFINITY, h],
         };
-        Ok(Arc::new(Trimmed::new(endless, (rim, All), h.max(r), bounds)))
+        made(Trimmed::new(endless, (rim, All), h.max(r), bounds))
     }
 }
 

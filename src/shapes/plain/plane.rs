@@ -4,19 +4,13 @@
 //! infinite or NaN, and no span contains it. The book's own routine takes `n` as the scene gives
 //! it.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, direction, finite_point};
+use crate::invalid::{Invalid, direction};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
 use crate::shapes::trimmed::{Carrier, Roots, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Surface};
+use crate::shapes::{Context, Made, Specification, Surface, made};
 
 /// All points `p` with `(p − point)·normal = 0`; the normal need not be unit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Plane {
     /// A point of the plane.
     pub point: Point,
@@ -34,15 +28,14 @@ pub struct PlaneThrough {
 }
 
 impl Specification for Plane {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        Ok(Arc::new(Trimmed::whole(PlaneThrough::checked("point", self.point, self.normal)?)))
+    fn make(&self, _: &mut Context) -> Made {
+        made(Trimmed::whole(PlaneThrough::checked(self.point, self.normal)?))
     }
 }
 
 impl PlaneThrough {
     /// The plane of the fields `anchor` and `normal`.
-    pub fn checked(field: &str, anchor: Point, normal: Vector) -> Result<Self, Invalid> {
-        finite_point(field, anchor)?;
+    pub fn checked(anchor: Point, normal: Vector) -> Result<Self, Invalid> {
         Ok(Self { anchor, normal: direction("normal", normal)?, given_normal: normal })
     }
 

@@ -3,32 +3,24 @@
 //!
 //! A ray meets the plane at `t = (p0 − o)·n / d·n`, and then the point is tested, as in the book.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::spherical_rectangle::SphericalRectangle;
-use crate::invalid::{Invalid, finite_point, finite_vector};
-use crate::math::{Aabb, Length, Normal, Point, Ray, Vector, exact_cross};
+use crate::invalid::Invalid;
+use crate::math::{Aabb, Displacement, Normal, Point, Ray, Vector, exact_cross};
 use crate::shapes::border::nears;
 use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::trimmed::{Trim, Trimmed};
-use crate::shapes::{Context, SampledSurface, Sampling, Shape, Specification, Surface};
+use crate::shapes::{Context, Made, SampledSurface, Sampling, Specification, Surface, made};
 
 /// The rectangle from `corner` along `a` and `b`; its normal is `a × b` normalised.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Rectangle {
     /// A corner, `p0` in the book.
     pub corner: Point,
     /// One side, as a vector from `corner`; not zero.
-    #[schemars(with = "Length<Vector>")]
-    pub a: Vector,
+    pub a: Displacement,
     /// The other side, as a vector from `corner`; perpendicular to `a`, not zero.
-    #[schemars(with = "Length<Vector>")]
-    pub b: Vector,
+    pub b: Displacement,
 }
 
 type RectangleShape = Trimmed<PlaneThrough, Side, Side>;
@@ -48,9 +40,8 @@ struct Side {
 const SKEW: f64 = 1e-9;
 
 impl Specification for Rectangle {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        finite_point("corner", self.corner)?;
-        let (a, b) = (finite_vector("a", self.a)?, finite_vector("b", self.b)?);
+    fn make(&self, _: &mut Context) -> Made {
+        let Self { corner, a, b } = *self;
         let zero = Point::ORIGIN;
         let normal = Normal::new(exact_cross(zero, zero + a, zero + b)).ok_or_else(|| {
             Invalid::field(
@@ -66,10 +57,10 @@ impl Specification for Rectangle {
                 format!("found {b:?}, but it must be perpendicular to a, {a:?}"),
             ));
         }
-        let size = [self.corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
+        let size = [corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
         let given_normal = a.cross(b).unit().unwrap_or(Vector::ZERO);
-        let plane = PlaneThrough { anchor: self.corner, normal, given_normal };
-        let [p, q] = [self.corner, self.corner + a];
+        let plane = PlaneThrough { anchor: corner, normal, given_normal };
+        let [p, q] = [corner, corner + a];
         let bounds = Aabb::around([p, q, p + b, p + (a + b)]);
         let sampler = |it: &RectangleShape, sampling| -> Option<Box<dyn SampledSurface>> {
             Some(match sampling {
@@ -78,7 +69,7 @@ impl Specification for Rectangle {
             })
         };
         let rectangle = Trimmed::new(plane, (Side::along(a), Side::along(b)), size, bounds);
-        Ok(Arc::new(Trimmed { sampler, ..rectangle }))
+        made(Trimmed { sampler, ..rectangle })
     }
 }
 

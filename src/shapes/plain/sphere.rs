@@ -5,12 +5,7 @@
 //! for far and for small spheres ([`perpendicular_roots`]).
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, finite_point, length};
 use crate::math::{
     Aabb, Frame, Length, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, maps, perpendicular_roots,
 };
@@ -18,43 +13,34 @@ use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::textbook::schoolbook_roots;
 use crate::shapes::trimmed::{Carrier, Roots, Trimmed};
 use crate::shapes::{
-    Context, SampledSurface, Sampling, Shape, Specification, Surface, normal_along,
+    Context, Made, SampledSurface, Sampling, Specification, Surface, made, normal_along,
 };
 
 /// All points `p` with `|p − center| = radius`; the normal points outward, or to the centre.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Sphere {
     /// The centre.
     pub center: Point,
     /// The radius; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// Whether the normal points to the centre: the book's concave sphere.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
 }
 
 impl Specification for Sphere {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         let sampler = |it: &Trimmed<Self>, sampling| -> Option<Box<dyn SampledSurface>> {
             Some(match sampling {
                 Sampling::Area => Box::new(ByArea(it.carrier.clone())),
                 Sampling::SolidAngle => Box::new(BySolidAngle(it.carrier.clone())),
             })
         };
-        Ok(Arc::new(Trimmed { sampler, ..Trimmed::whole(self.checked()?) }))
+        made(Trimmed { sampler, ..Trimmed::whole(self.clone()) })
     }
 }
 
 impl Sphere {
-    /// A copy whose numbers are fit for use.
-    pub(in crate::shapes) fn checked(&self) -> Result<Self, Invalid> {
-        finite_point("center", self.center)?;
-        length("radius", self.radius)?;
-        Ok(self.clone())
-    }
-
     /// The surface where its outward normal is this.
     fn surface_along(&self, normal: Normal) -> Surface {
         let point = self.center + self.radius * normal;

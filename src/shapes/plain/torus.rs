@@ -20,40 +20,33 @@
 //!
 //! The book's own routine: `src/shapes/textbook/torus.rs`.
 
-use std::sync::Arc;
-
 use arrayvec::ArrayVec;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
-use crate::invalid::{Invalid, length};
+use crate::invalid::Invalid;
 use crate::math::{
     Aabb, Length, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root,
     cbrt, sin_cos,
 };
 use crate::shapes::trimmed::{Carrier, Roots, Searched, Trimmed};
-use crate::shapes::{Context, Shape, Specification, Surface, textbook};
+use crate::shapes::{Context, Made, Specification, Surface, made, textbook};
 
 /// The points at `tube_radius` from the circle of `swept_radius` about the origin in the plane
 /// y = 0; the normal points out of the tube.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Torus {
     /// The radius of the circle in the middle of the tube, the book's `a`; positive.
-    #[schemars(with = "Length")]
-    pub swept_radius: f64,
+    pub swept_radius: Length,
     /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
-    #[schemars(with = "Length")]
-    pub tube_radius: f64,
+    pub tube_radius: Length,
     /// Whether the normal points into the tube instead.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    #[optional]
     pub inward: bool,
 }
 
 impl Specification for Torus {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         self.check()?;
-        Ok(Arc::new(Trimmed::whole(self.clone())))
+        made(Trimmed::whole(self.clone()))
     }
 }
 
@@ -129,8 +122,8 @@ fn minima(p: f64, q: f64) -> ArrayVec<f64, 2> {
 impl Torus {
     /// Whether the radii are those of a torus that does not meet itself.
     pub(in crate::shapes) fn check(&self) -> Result<(), Invalid> {
-        let swept = length("swept_radius", self.swept_radius)?;
-        let tube = length("tube_radius", self.tube_radius)?;
+        let swept = self.swept_radius;
+        let tube = self.tube_radius;
         if tube < swept {
             return Ok(());
         }

@@ -8,36 +8,26 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::math::watertight;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
+use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, maps};
 use crate::shapes::border::Border;
 use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::trimmed::Trimmed;
 use crate::shapes::{
-    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Specification, Surface, Within,
-    size_problem, textbook,
+    Candidate, Context, Facet, Made, SampledSurface, Sampling, Shape, Specification, Surface,
+    Within, made, size_problem, textbook,
 };
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
 /// interpolated.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Triangle {
     /// The corners, not on one line.
-    #[serde(deserialize_with = "lists::exactly")]
     pub vertices: [Point; 3],
     /// A normal for each corner, of any length: shading uses the one between them (the book's
     /// smooth triangle, ch. 23).
-    #[serde(
-        default,
-        deserialize_with = "lists::exactly_if_any",
-        skip_serializing_if = "Option::is_none"
-    )]
     pub normals: Option<[Vector; 3]>,
 }
 
@@ -49,7 +39,7 @@ struct TriangleShape {
 }
 
 impl Specification for Triangle {
-    fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, _: &mut Context) -> Made {
         for (i, &vertex) in self.vertices.iter().enumerate() {
             finite_point("", vertex)
                 .map_err(|e| Invalid::new(e.problem).inside(i).inside("vertices"))?;
@@ -62,7 +52,7 @@ impl Specification for Triangle {
             Invalid::field("vertices", problem)
         })?;
         let normals = self.normals.map(|normals| vertex_normals(normals, normal)).transpose()?;
-        Ok(Arc::new(TriangleShape { vertices: self.vertices, normal, normals }))
+        made(TriangleShape { vertices: self.vertices, normal, normals })
     }
 }
 

@@ -5,19 +5,14 @@
 //! are built about the y axis, from azimuth 90° to 270°, and turned upright by `y → z, z → −y`. The
 //! book's stones touch; here a narrow joint is between them.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::beveled_box::BeveledBox;
 use super::beveled_wedge::BeveledWedge;
 use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Length, Point, Step, Vector, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Instance, Shape, Specification};
+use crate::shapes::{Context, Instance, Made, Specification};
 
 /// More stones than anyone could see.
 const MAX_STONES: u32 = 1000;
@@ -25,43 +20,32 @@ const MAX_STONES: u32 = 1000;
 /// An archway of stones with round edges, as the parts `columns` and `arch`; normals point outward.
 /// It stands on the plane y = 0 and faces along the z axis, its middle above the origin. Between
 /// the stones are joints, about a thousandth of the bevel wide.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Archway {
     /// From the left side of the left column to the right side of the right one; positive.
-    #[schemars(with = "Length")]
-    pub width: f64,
+    pub width: Length,
     /// The height of the top of the arch: more than half of `width`.
-    #[schemars(with = "Length")]
-    pub height: f64,
+    pub height: Length,
     /// From back to front; positive.
-    #[schemars(with = "Length")]
-    pub depth: f64,
+    pub depth: Length,
     /// The width of each column, and of the arch from its inside to its outside: positive, and less
     /// than half of `width`.
-    #[schemars(with = "Length")]
-    pub column_width: f64,
+    pub column_width: Length,
     /// How many boxes each column has: from 1 to 1000.
     pub blocks: u32,
     /// How many wedges the arch has: from 1 to 1000.
     pub wedges: u32,
     /// The radius of the stones' edges: positive, at most half of the shortest side of each stone.
-    #[schemars(with = "Length")]
-    pub bevel: f64,
+    pub bevel: Length,
     /// How rays find the stones, `"grid"` in the book; as the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Archway {
     fn check(&self) -> Result<(), Invalid> {
-        length("width", self.width)?;
-        length("height", self.height)?;
-        length("depth", self.depth)?;
-        length("column_width", self.column_width)?;
         let half = 0.5 * self.width;
         if self.height <= half {
             let [found, half] = [self.height, half].map(shown);
@@ -79,7 +63,6 @@ impl Archway {
                 return Err(Invalid::field(field, problem));
             }
         }
-        length("bevel", self.bevel)?;
         let block = [0.0, self.spring() / f64::from(self.blocks)];
         let column = [0.0, self.column_width];
         check_fits(self.bevel, &[("width of a column", column), ("height of a block", block)])
@@ -134,7 +117,7 @@ impl Archway {
 }
 
 impl Specification for Archway {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         self.check()?;
         let mut stones: Vec<Named> = Vec::new();
         for block in self.columns() {

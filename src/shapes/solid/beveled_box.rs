@@ -5,32 +5,25 @@
 //! of radius `r_b` about each edge, an eighth of a sphere about each corner. (The book takes whole
 //! cylinders and spheres: see [`edges`](super::edges).)
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::edges::{Named, check_bevel, corner, inset, left_of, quarter, wall};
-use crate::invalid::{Invalid, finite_point};
+use crate::invalid::Invalid;
 use crate::math::{Length, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Instance, Rectangle, Shape, Specification};
+use crate::shapes::{Context, Instance, Made, Rectangle, Specification};
 
 /// A box with round edges and corners: the points at most `bevel` away from the box that is smaller
 /// by `bevel` on each side. Its parts are the six faces `left`, `right`, `bottom`, `top`, `back`
 /// and `front`, twelve `edges` and eight `corners`, 26 in all; normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct BeveledBox {
     /// The corner with the least coordinates.
     pub min: Point,
     /// The corner with the largest coordinates, each above that of `min`.
     pub max: Point,
     /// The radius of the edges: at most half of the shortest side.
-    #[schemars(with = "Length")]
-    pub bevel: f64,
+    pub bevel: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
@@ -40,8 +33,6 @@ const ENDS: [(usize, f64); 2] = [(0, -1.0), (1, 1.0)];
 impl BeveledBox {
     pub(super) fn check(&self) -> Result<(), Invalid> {
         let Self { min, max, bevel, .. } = *self;
-        finite_point("min", min)?;
-        finite_point("max", max)?;
         for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
             let (low, high) = (min.along(i), max.along(i));
             if low >= high {
@@ -133,7 +124,7 @@ fn unit(axis: usize) -> Vector {
 }
 
 impl Specification for BeveledBox {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         self.check()?;
         let parts = [self.faces(), self.edges(), self.corners()].concat();
         solid(&parts, &self.materials, None, context)

@@ -7,43 +7,35 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::edges::{Named, check_bevel, inset, left_of, tube};
 use super::shoulder::Shoulder;
 use crate::invalid::{Invalid, shown};
 use crate::kinds::Custom;
-use crate::math::{Axis, Length, Point, Step, Vector};
+use crate::math::{Axis, Coordinate, Length, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
-use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape, Specification};
+use crate::shapes::{Context, Disk, Instance, Kind, Made, OpenCylinder, Specification};
 
 /// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
 /// `top_edge`; normals point outward. With a bevel as large as the radius it has hemispheres for
 /// ends, and figure 21.13's is a sphere.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct BeveledCylinder {
     /// The height of the bottom.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The height of the top, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// The radius; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// The radius of the edges: at most the radius and half of the height.
-    #[schemars(with = "Length")]
-    pub bevel: f64,
+    pub bevel: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Specification for BeveledCylinder {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let Self { y0, y1, radius, bevel, .. } = *self;
         let wall = OpenCylinder { y0, y1, radius, inward: false }.checked()?;
         let largest = y0.abs().max(y1.abs()).max(radius);

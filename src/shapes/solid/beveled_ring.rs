@@ -5,48 +5,35 @@
 //! `r1 − r_b`, the walls from `y0 + r_b` to `y1 − r_b`, and the tori have `a = r0 + r_b` or
 //! `r1 − r_b`, and `b = r_b`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::edges::{Named, check_bevel, inset, left_of, moved, tube};
-use crate::invalid::{Invalid, length};
-use crate::math::{Length, Point, Vector};
+use crate::math::{Coordinate, Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Annulus, Context, OpenCylinder, Shape, Specification};
+use crate::shapes::{Annulus, Context, Made, OpenCylinder, Specification};
 
 /// A thick ring with round edges, as the parts `bottom`, `top`, `inner_wall`, `outer_wall` and four
 /// `edges`; normals point out of the ring.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct BeveledRing {
     /// The height of the bottom.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The height of the top, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// The radius of the hole; positive.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Length,
     /// The outer radius, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
     /// The radius of the edges: at most half of the height and of the distance between the radii.
-    #[schemars(with = "Length")]
-    pub bevel: f64,
+    pub bevel: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Specification for BeveledRing {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
-        length("inner_radius", inner_radius)?;
         radii(inner_radius, outer_radius)?;
         // names the height that does not fit
         OpenCylinder { y0, y1, radius: outer_radius, inward: false }.checked()?;

@@ -1,48 +1,36 @@
 //! The beveled wedge (Suffern, ch. 21): a sector of a thick ring with round edges. Its equations
 //! stand in [`wedge_parts`](super::wedge_parts).
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::edges::check_bevel;
 use super::wedge_parts::Wedge;
-use crate::invalid::{Invalid, finite, length, shown};
-use crate::math::{Length, lists, sin_degrees};
+use crate::invalid::{Invalid, Ranges, shown};
+use crate::math::{Coordinate, Length, sin_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::Angles;
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Context, Shape, Specification};
+use crate::shapes::{Context, Made, Specification};
 
 /// The part of a thick ring between two azimuths, with round edges and corners, as the parts
 /// `bottom`, `top`, `inner_wall`, `outer_wall`, `start`, `end`, `edges` and `corners`; normals
 /// point out of the wedge.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct BeveledWedge {
     /// The height of the bottom.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The height of the top, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// The radius of the inner wall; positive.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Length,
     /// The outer radius, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
     /// 360; through 360 where the first is larger. Less than a turn.
-    #[serde(deserialize_with = "lists::exactly")]
     pub phi: [f64; 2],
     /// The radius of the edges: at most half of the height and of the distance between the radii,
     /// and so that both inner edges fit between the sides.
-    #[schemars(with = "Length")]
-    pub bevel: f64,
+    pub bevel: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
@@ -64,12 +52,10 @@ impl BeveledWedge {
     /// The wedge, if its bevel fits.
     pub(super) fn checked(&self) -> Result<Wedge, Invalid> {
         let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
-        finite("y0", y0)?;
-        finite("y1", y1)?;
+        self.check_ranges()?;
         if y0 >= y1 {
             return Err(Invalid::field("y1", format!("found {y1}, but it must be above y0, {y0}")));
         }
-        length("inner_radius", inner_radius)?;
         let r = radii(inner_radius, outer_radius)?;
         let extents = [("height", [y0, y1]), ("distance between the radii", r)];
         check_bevel(bevel, y0.abs().max(y1.abs()).max(outer_radius), &extents)?;
@@ -92,7 +78,7 @@ impl BeveledWedge {
 }
 
 impl Specification for BeveledWedge {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         solid(&self.checked()?.parts(), &self.materials, None, context)
     }
 }

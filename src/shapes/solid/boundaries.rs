@@ -4,9 +4,6 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::shapes::composite::assembly::{Assembly, PartData};
@@ -15,25 +12,17 @@ use crate::shapes::{Context, Kind, PartTorus, Shape};
 
 /// The materials of a vessel's boundaries. The first medium of each name is on the inner side, the
 /// side that the normals point away from.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(Default, PartialEq)]
 pub struct BoundaryMaterials {
     /// The name of the material between glass and air; the object's if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub glass_air: Option<String>,
     /// The name of the material between water and air; the object's if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub water_air: Option<String>,
     /// The name of the material between water and glass; the object's if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub water_glass: Option<String>,
 }
 
 impl BoundaryMaterials {
-    pub(in crate::shapes) fn is_empty(&self) -> bool {
-        *self == Self::default()
-    }
-
     /// Builds parts of one boundary each.
     pub(in crate::shapes) fn build(
         &self,

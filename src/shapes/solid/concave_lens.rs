@@ -8,42 +8,32 @@
 
 use std::sync::Arc;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::spherical_cap::SphericalCap;
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::kinds::Custom;
 use crate::math::{Length, Point, UNIT_ROUNDOFF, atan2, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
-use crate::shapes::{Context, Kind, OpenCylinder, PartSphere, Shape, Specification};
+use crate::shapes::{Context, Kind, Made, OpenCylinder, PartSphere, Specification};
 
 /// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
 /// `wall`; normals point out of the glass.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct ConcaveLens {
     /// The radius of the rim; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// The thickness at the rim; the lens reaches half of it above and below the plane y = 0. At
     /// most `min_distance + 2 radius`: no hollow is deeper than half a sphere.
-    #[schemars(with = "Length")]
-    pub thickness: f64,
+    pub thickness: Length,
     /// From hollow to hollow, on the axis: positive and less than `thickness`.
-    #[schemars(with = "Length")]
-    pub min_distance: f64,
+    pub min_distance: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl ConcaveLens {
     fn checked(&self) -> Result<(), Invalid> {
-        length("radius", self.radius)?;
-        length("thickness", self.thickness)?;
-        length("min_distance", self.min_distance)?;
         if self.min_distance >= self.thickness {
             let [found, most] = [self.min_distance, self.thickness].map(shown);
             let problem = format!("found {found}, but it must be less than the thickness, {most}");
@@ -81,7 +71,7 @@ impl ConcaveLens {
 }
 
 impl Specification for ConcaveLens {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         self.checked()?;
         let half = 0.5 * self.thickness;
         let heights = [0.5 * self.min_distance, half];

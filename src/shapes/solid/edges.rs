@@ -5,7 +5,7 @@
 //! the parts on the surface are taken here, so that a ray inside the solid hits nothing but its
 //! surface.
 
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Point, Step, UNIT_ROUNDOFF, Vector};
 use crate::shapes::{Instance, Kind, PartCylinder, PartSphere, PartTorus};
 
@@ -69,7 +69,6 @@ pub(in crate::shapes) fn check_bevel(
     largest: f64,
     extents: &[(&str, [f64; 2])],
 ) -> Result<(), Invalid> {
-    length("bevel", bevel)?;
     let least = 64.0 * UNIT_ROUNDOFF * largest;
     if bevel < least {
         let [found, least, largest] = [bevel, least, largest].map(shown);

@@ -5,59 +5,41 @@
 //! `y_c = h + m` and at the distance `R − m` from the origin: `a = x_c = √((R − m)² − y_c²)`. It
 //! touches the level, and the sphere at the angle `β = atan(y_c/x_c)` above the horizontal.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::boundaries::{BoundaryMaterials, meniscus};
 use super::flat_rimmed_bowl::polar_angle;
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Length, Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::solid::edges::{moved, tube};
-use crate::shapes::{Context, Disk, Kind, PartSphere, Shape, Specification};
+use crate::shapes::{Context, Disk, Kind, Made, PartSphere, Specification};
 
 /// A spherical bowl about the origin with a rounded rim, and water in it that curves up to the
 /// glass. Its parts are one surface for each boundary: `outside`, `inside` and `rim` between glass
 /// and air, `level`, `meniscus` and `upper meniscus` between water and air, `wall` between water
 /// and glass. Water that does not fill half the bowl has no upper meniscus. Each boundary wants a
 /// material of its own, a dielectric.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+// the defaults are the book's numbers
+#[kind(Default, PartialEq)]
 pub struct FishBowl {
     /// The radius of the inside.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    #[default(1.0)]
+    pub inner_radius: Length,
     /// The thickness of the glass.
-    #[schemars(with = "Length")]
-    pub glass_thickness: f64,
+    #[default(0.1)]
+    pub glass_thickness: Length,
     /// The depth of the water in the middle; above 0, and its meniscus is below the rim.
-    #[schemars(with = "Length")]
-    pub water_depth: f64,
+    #[default(1.25)]
+    pub water_depth: Length,
     /// The radius of the meniscus.
-    #[schemars(with = "Length")]
-    pub meniscus_radius: f64,
+    #[default(0.05)]
+    pub meniscus_radius: Length,
     /// The angle at which the opening is seen across from the origin, in degrees above 0 and below
     /// 360.
+    #[default(90.0)]
     pub opening: f64,
     /// The names of the materials of the boundaries.
-    #[serde(skip_serializing_if = "BoundaryMaterials::is_empty")]
+    #[optional]
     pub materials: BoundaryMaterials,
-}
-
-/// The book's numbers.
-impl Default for FishBowl {
-    fn default() -> Self {
-        Self {
-            inner_radius: 1.0,
-            glass_thickness: 0.1,
-            water_depth: 1.25,
-            meniscus_radius: 0.05,
-            opening: 90.0,
-            materials: BoundaryMaterials::default(),
-        }
-    }
 }
 
 /// The circle in the middle of the meniscus, and where it touches the glass.
@@ -91,11 +73,8 @@ impl Specification for FishBowl {
     /// The rim is half a tube between the spheres, at the polar angle α/2: the half that is turned
     /// to the opening, from 90° − α/2 around the tube. (The book has α/2, which is the same at 90°
     /// only.)
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let r = length("inner_radius", self.inner_radius)?;
-        let g = length("glass_thickness", self.glass_thickness)?;
-        let m = length("meniscus_radius", self.meniscus_radius)?;
-        length("water_depth", self.water_depth)?;
+    fn make(&self, context: &mut Context) -> Made {
+        let Self { inner_radius: r, glass_thickness: g, meniscus_radius: m, .. } = *self;
         let alpha = polar_angle(self.opening)?;
         let Meniscus { swept, height, beta } = self.meniscus()?;
         let contact = 90.0 - beta;

@@ -4,42 +4,29 @@
 //! Its surface is a compound of two part spheres and an annulus. The book's bowl is the hemisphere,
 //! θ = 90°; for others the annulus goes from `r_in sin θ` to `√(r_out² − r_in² cos² θ)`.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Length, Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Annulus, Context, Kind, PartSphere, Shape, Specification};
+use crate::shapes::{Annulus, Context, Kind, Made, PartSphere, Specification};
 
 /// The points between two spheres about the origin, up to a level cut, as the parts `outside`,
 /// `inside` and `rim`; normals point out of the bowl, those of its inside to the origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct FlatRimmedBowl {
     /// The radius of the inside; positive.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Length,
     /// The radius of the outside, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
     /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0
     /// and below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its
     /// rim.
-    #[serde(default = "hemisphere")]
+    #[default(180.0)]
     pub opening: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
-}
-
-/// The opening of a bowl that is half a sphere.
-pub fn hemisphere() -> f64 {
-    180.0
 }
 
 /// The polar angle of a bowl's rim.
@@ -65,8 +52,7 @@ pub fn shells(
 }
 
 impl Specification for FlatRimmedBowl {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        length("inner_radius", self.inner_radius)?;
+    fn make(&self, context: &mut Context) -> Made {
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
         let theta = polar_angle(self.opening)?;
         // the cut: at this height, from the inner sphere to the outer one

@@ -5,69 +5,46 @@
 //! `b = m` at the height `y_w + m`, where r is the inner radius of the glass and m that of the
 //! meniscus. So it touches the level and the glass without an angle.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::boundaries::{BoundaryMaterials, meniscus};
-use crate::invalid::{Invalid, length, shown};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Length, Point, Vector};
-use crate::shapes::{Annulus, Context, Disk, OpenCylinder, Shape, Specification};
+use crate::shapes::{Annulus, Context, Disk, Made, OpenCylinder, Specification};
 
 /// A cylindrical glass about the y axis that stands on y = 0, with water in it that curves up to
 /// the glass. Its eight parts are one surface for each boundary: `rim`, `bottom`, `inside` and
 /// `outside` between glass and air, `level` and `meniscus` between water and air, `base` and `wall`
 /// between water and glass. Each boundary wants a material of its own, a dielectric.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
+// the defaults are the book's numbers
+#[kind(Default, PartialEq)]
 pub struct GlassOfWater {
     /// The height of the glass.
-    #[schemars(with = "Length")]
-    pub height: f64,
+    #[default(2.0)]
+    pub height: Length,
     /// The radius of the inside.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    #[default(0.9)]
+    pub inner_radius: Length,
     /// The thickness of the wall.
-    #[schemars(with = "Length")]
-    pub wall_thickness: f64,
+    #[default(0.1)]
+    pub wall_thickness: Length,
     /// The thickness of the bottom.
-    #[schemars(with = "Length")]
-    pub base_thickness: f64,
+    #[default(0.3)]
+    pub base_thickness: Length,
     /// The height of the water's level above y = 0: above the bottom, and so far below `height`
     /// that the meniscus fits.
-    #[schemars(with = "Length")]
+    #[schemars(extend("x-dimension" = "length"))]
+    #[default(1.5)]
     pub water_height: f64,
     /// The radius of the meniscus; less than half of `inner_radius`.
-    #[schemars(with = "Length")]
-    pub meniscus_radius: f64,
+    #[default(0.1)]
+    pub meniscus_radius: Length,
     /// The names of the materials of the boundaries.
-    #[serde(skip_serializing_if = "BoundaryMaterials::is_empty")]
+    #[optional]
     pub materials: BoundaryMaterials,
-}
-
-/// The book's numbers.
-impl Default for GlassOfWater {
-    fn default() -> Self {
-        Self {
-            height: 2.0,
-            inner_radius: 0.9,
-            wall_thickness: 0.1,
-            base_thickness: 0.3,
-            water_height: 1.5,
-            meniscus_radius: 0.1,
-            materials: BoundaryMaterials::default(),
-        }
-    }
 }
 
 impl GlassOfWater {
     fn check(&self) -> Result<(), Invalid> {
-        length("height", self.height)?;
-        let r = length("inner_radius", self.inner_radius)?;
-        length("wall_thickness", self.wall_thickness)?;
-        let base = length("base_thickness", self.base_thickness)?;
-        let m = length("meniscus_radius", self.meniscus_radius)?;
+        let Self { inner_radius: r, base_thickness: base, meniscus_radius: m, .. } = *self;
         if 2.0 * m >= r {
             let [found, half] = [m, 0.5 * r].map(shown);
             let problem =
@@ -88,7 +65,7 @@ impl GlassOfWater {
 }
 
 impl Specification for GlassOfWater {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         self.check()?;
         let (r, m, level) = (self.inner_radius, self.meniscus_radius, self.water_height);
         let outer = r + self.wall_thickness;

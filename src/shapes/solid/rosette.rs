@@ -3,18 +3,13 @@
 //! Ring `i` goes from the radius `hole_radius + i ring_width` to the next; its `n` wedges are
 //! `360/n` degrees wide each. The book's wedges touch; here a narrow joint is between them.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use super::beveled_wedge::BeveledWedge;
 use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
-use crate::invalid::{Invalid, length};
-use crate::math::{Length, to_degrees};
+use crate::invalid::Invalid;
+use crate::math::{Coordinate, Length, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Shape, Specification};
+use crate::shapes::{Context, Made, Specification};
 
 /// How many wedges each ring has, from the innermost.
 const WEDGES: [u32; 6] = [10, 12, 15, 18, 24, 36];
@@ -23,32 +18,25 @@ const NAMES: [&str; 6] = ["ring_1", "ring_2", "ring_3", "ring_4", "ring_5", "rin
 /// Rings of 10, 12, 15, 18, 24 and 36 beveled wedges about a hole, as the parts `ring_1` (the
 /// innermost) to `ring_6`; normals point outward. Between the wedges are joints, about a thousandth
 /// of the bevel wide.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct Rosette {
     /// How many rings there are: from 1 to 6.
     pub rings: u32,
     /// The radius of the hole in the middle; positive.
-    #[schemars(with = "Length")]
-    pub hole_radius: f64,
+    pub hole_radius: Length,
     /// From the inner to the outer wall of each ring; positive.
-    #[schemars(with = "Length")]
-    pub ring_width: f64,
+    pub ring_width: Length,
     /// The radius of the wedges' edges: positive, at most half of the height, of the ring's width
     /// and of the width of a wedge's inner wall.
-    #[schemars(with = "Length")]
-    pub bevel: f64,
+    pub bevel: Length,
     /// The height of the bottom.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The height of the top, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// How rays find the wedges, `"grid"` in the book; as the scene if left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub accel: Option<Method>,
     /// The names of materials of rings that have one of their own, as `{ ring_1 = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
@@ -76,14 +64,11 @@ impl Rosette {
 }
 
 impl Specification for Rosette {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         if !(1..=6).contains(&self.rings) {
             let problem = format!("found {}, but from 1 to 6 rings are needed", self.rings);
             return Err(Invalid::field("rings", problem));
         }
-        length("hole_radius", self.hole_radius)?;
-        length("ring_width", self.ring_width)?;
-        length("bevel", self.bevel)?;
         check_fits(self.bevel, &[("width of a ring", [0.0, self.ring_width])])?;
         let mut parts: Vec<Named> = Vec::new();
         for ring in 0..self.rings {

@@ -5,45 +5,36 @@
 //! height `(r_in + r_out)/2 · cos θ`. The book takes the whole torus, half of which is hidden; here
 //! it goes from `90° − θ` to `270° − θ` around the tube, from sphere to sphere.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
-use crate::invalid::{Invalid, length, shown};
+use super::flat_rimmed_bowl::{polar_angle, shells};
+use crate::invalid::{Invalid, shown};
 use crate::math::{Length, Vector, cos_degrees, sin_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
 use crate::shapes::solid::edges::{moved, tube};
-use crate::shapes::{Context, Shape, Specification};
+use crate::shapes::{Context, Made, Specification};
 
 /// The points between two spheres about the origin, ended by half a torus that touches both, as the
 /// parts `outside`, `inside` and `rim`; normals point out of the bowl, those of its inside to the
 /// origin.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct RoundRimmedBowl {
     /// The radius of the inside; positive.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Length,
     /// The radius of the outside, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
     /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0
     /// and below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its
     /// rim.
-    #[serde(default = "hemisphere")]
+    #[default(180.0)]
     pub opening: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Specification for RoundRimmedBowl {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        length("inner_radius", self.inner_radius)?;
+    fn make(&self, context: &mut Context) -> Made {
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;
         let theta = polar_angle(self.opening)?;
         let (middle, thin) = (0.5 * (inner + outer), 0.5 * (outer - inner));

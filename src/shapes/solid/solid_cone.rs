@@ -2,34 +2,25 @@
 //!
 //! Its surface is a compound of a disk, at y = 0, and an open cone, as in the book.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::Invalid;
 use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Cone, Context, Disk, Kind, Shape, Specification};
+use crate::shapes::{Cone, Context, Disk, Kind, Made, Specification};
 
 /// The points with `√(x² + z²) ≤ radius (1 − y/height)` and `y ≥ 0`, as the parts `base` and
 /// `wall`; normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct SolidCone {
     /// The height of the apex above the base, which is in the plane y = 0; positive.
-    #[schemars(with = "Length")]
-    pub height: f64,
+    pub height: Length,
     /// The radius of the base; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Specification for SolidCone {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let Self { height, radius, .. } = *self;
         let wall = Cone { height, radius, inward: false };
         wall.build(context)?; // names the field that does not fit

@@ -2,37 +2,27 @@
 //!
 //! Its surface is a compound of two disks, at y0 and y1, and an open cylinder, as in the book.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::Invalid;
-use crate::math::{Length, Point, Vector};
+use crate::math::{Coordinate, Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape, Specification};
+use crate::shapes::{Context, Disk, Kind, Made, OpenCylinder, Specification};
 
 /// The points with `x² + z² ≤ radius²` and `y0 ≤ y ≤ y1`, as the parts `bottom`, `top` and `wall`;
 /// normals point outward.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct SolidCylinder {
     /// The height of the bottom.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The height of the top, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// The radius; positive.
-    #[schemars(with = "Length")]
-    pub radius: f64,
+    pub radius: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Specification for SolidCylinder {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let Self { y0, y1, radius, .. } = *self;
         let wall = OpenCylinder { y0, y1, radius, inward: false };
         wall.build(context)?; // names the field that does not fit

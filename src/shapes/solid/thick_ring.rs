@@ -3,44 +3,32 @@
 //!
 //! Its surface is a compound of two annuli, at y0 and y1, and two open cylinders, as in the book.
 
-use std::sync::Arc;
-
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::invalid::{Invalid, length};
-use crate::math::{Length, Point, Vector};
+use crate::math::{Coordinate, Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Annulus, Context, Kind, OpenCylinder, Shape, Specification};
+use crate::shapes::{Annulus, Context, Kind, Made, OpenCylinder, Specification};
 
 /// The points from `inner_radius` to `outer_radius` away from the y axis with `y0 ≤ y ≤ y1`, as the
 /// parts `bottom`, `top`, `inner_wall` and `outer_wall`; normals point out of the ring, those of
 /// the inner wall to the axis.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[kind(PartialEq)]
 pub struct ThickRing {
     /// The height of the bottom.
-    #[schemars(with = "Length")]
-    pub y0: f64,
+    pub y0: Coordinate,
     /// The height of the top, above `y0`.
-    #[schemars(with = "Length")]
-    pub y1: f64,
+    pub y1: Coordinate,
     /// The radius of the hole; positive.
-    #[schemars(with = "Length")]
-    pub inner_radius: f64,
+    pub inner_radius: Length,
     /// The outer radius, above `inner_radius`.
-    #[schemars(with = "Length")]
-    pub outer_radius: f64,
+    pub outer_radius: Length,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
-    #[serde(default, skip_serializing_if = "Materials::is_empty")]
+    #[optional]
     pub materials: Materials,
 }
 
 impl Specification for ThickRing {
-    fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
+    fn make(&self, context: &mut Context) -> Made {
         let Self { y0, y1, inner_radius, outer_radius, .. } = *self;
-        length("inner_radius", inner_radius)?;
         radii(inner_radius, outer_radius)?;
         let wall = |radius, inward| OpenCylinder { y0, y1, radius, inward };
         wall(outer_radius, false).checked()?; // names the height that does not fit
