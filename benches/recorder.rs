@@ -3,8 +3,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use explain::RayTree;
 use groundtruth::render;
-use groundtruth::trace::{RayCounts, RayTree, Recorder};
+use groundtruth::trace::{RayCounts, Recorder};
 use groundtruth::world::World;
 
 /// A row of pixels through the sphere, so that many different paths are measured.

@@ -5,10 +5,10 @@ use std::error::Error;
 use std::path::Path;
 
 use groundtruth::film::{self, Tone};
+use groundtruth::render;
 use groundtruth::scene::build::{add, ambient, grey, ground, matte, phong, pinhole};
 use groundtruth::scene::build::{point, point_light, rgb, sphere};
 use groundtruth::world::World;
-use groundtruth::{explain, render};
 
 fn main() -> Result<(), Box<dyn Error>> {
     // 400×300 pixels on a view plane at distance 600; the eye, and the point that it looks at

@@ -4,9 +4,8 @@
 //! file. It is checked and built into a [`World`](world::World). [`render`] turns each sample of
 //! each pixel into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of
 //! which [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder
-//! can listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has its
-//! colour. Other packages verify with it, explain it and measure it; `harness` is their command
-//! line (ARCHITECTURE.md).
+//! ([`trace::Recorder`]) can listen to every ray. Other packages explain with it why a pixel has
+//! its colour, verify and measure; `harness` is their command line (ARCHITECTURE.md).
 //!
 //! Each module names only modules of lines above its own:
 //!
@@ -26,7 +25,6 @@
 //! world
 //! trace
 //! render
-//! explain
 //! ```
 
 // `#[kind]` for every module
@@ -38,7 +36,6 @@ pub mod background;
 pub mod bumps;
 pub mod cameras;
 pub mod candidate;
-pub mod explain;
 pub mod film;
 pub mod filters;
 pub mod images;

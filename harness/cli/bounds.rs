@@ -34,7 +34,7 @@ impl Bounds {
             let (scene, world) = framing::scene_of_mesh(path)?;
             let mut text = String::new();
             for object in world.objects() {
-                let bounds = words(&object.bounds());
+                let bounds = words(&object.shape.bounds());
                 writeln!(text, "# {}: {bounds}", printable::name(&self.scene))?;
             }
             return print(&(text + "\n" + &scene::to_toml(&scene)?));
@@ -42,7 +42,7 @@ impl Bounds {
         let (scene, world) = SceneArguments::of_name(&self.scene).load()?;
         let mut text = "# the box around each object\n".to_owned();
         for object in world.objects() {
-            let (name, bounds) = (printable::name(&object.name), words(&object.bounds()));
+            let (name, bounds) = (printable::name(&object.name), words(&object.shape.bounds()));
             writeln!(text, "#   \"{name}\": {bounds}")?;
         }
         let Some(all) = framing::bounds(&world) else {

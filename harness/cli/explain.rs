@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use groundtruth::explain::{self, PixelExplanation};
+use explain::PixelExplanation;
 use groundtruth::film::Provenance;
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;

@@ -1,6 +1,6 @@
 //! `explain --json --formulas`: the formula of each term as data.
 
-use groundtruth::explain::{PixelExplanation, RecordedRay};
+use explain::{PixelExplanation, RecordedRay};
 use serde_json::{Value, json};
 
 /// An explanation as JSON, in which each term has its formula.

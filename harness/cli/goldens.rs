@@ -8,9 +8,9 @@ use clap::{Args, Subcommand};
 use golden::compare;
 use golden::review;
 use golden::{self, GoldenFinding, GoldenSettings, GoldenStatus, Goldens as Folder, Proposal};
-use groundtruth::explain::count;
 use groundtruth::printable;
 use groundtruth::similar;
+use text::brief::count;
 
 use super::list::is_in;
 use super::part::PartOf;

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use groundtruth::explain::{PixelExplanation, RecordedRay};
+use explain::{PixelExplanation, RecordedRay};
 use groundtruth::render::Renderer;
 use groundtruth::scene::{self, Scene};
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};

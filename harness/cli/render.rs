@@ -6,7 +6,6 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use groundtruth::explain;
 use groundtruth::film::{self, Film, Format};
 use groundtruth::printable;
 use groundtruth::render::{self, Canvas, Crop, Renderer};

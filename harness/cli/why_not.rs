@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::Args;
-use groundtruth::explain::PixelExplanation;
+use explain::PixelExplanation;
 use groundtruth::film::Provenance;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;

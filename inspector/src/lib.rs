@@ -1,6 +1,6 @@
 //! The inspector: a picture, and for each pixel the tree of rays that made it.
 //!
-//! It holds no shading arithmetic: what it shows of light comes from [`groundtruth::explain`], the film, layers and the
+//! It holds no shading arithmetic: what it shows of light comes from [`explain`], the film, layers and the
 //! judge; only the plots of samples are drawn here. [`app::Inspector`] is the whole state and draws the window; what is slow
 //! runs beside it in [`picture::worker`]; what a desktop and a page in a browser do differently is in [`platform`].
 //!

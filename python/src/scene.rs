@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use groundtruth::explain::PixelExplanation;
+use explain::PixelExplanation;
 use groundtruth::film::Film;
 use groundtruth::scene::{self, Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, World};
@@ -149,7 +149,7 @@ pub fn explain(
         return Err(wrong(format!("no sample {index}: the pixel has {count}, numbered from 0")));
     }
     let explanation =
-        py.detach(|| groundtruth::explain::pixel(&built.scene, &built.world, pixel, sample));
+        py.detach(|| explain::pixel(&built.scene, &built.world, pixel, sample));
     let explanation = explanation.map_err(wrong)?;
     let name = if gallery::find(scene).is_some() { scene } else { "scene.toml" }.to_owned();
     Ok(Explained { built, name, explanation })

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, Unlit, made,
+    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, made,
 };
 use crate::invalid::Invalid;
 use crate::materials::Emission;
@@ -82,7 +82,7 @@ impl Lamp {
     /// The cosine at the lamp, if the side towards `from` shines. On the back of a two-sided lamp
     /// it is taken with the opposite normal.
     fn cosine(&self, from: math::Point, at: &Surface) -> Option<f64> {
-        let cosine = cosine_at(at, from)?;
+        let cosine = at.normal.dot((from - at.point).unit()?);
         let cosine = if self.two_sided { cosine.abs() } else { cosine };
         (cosine > 0.0).then_some(cosine)
     }
@@ -95,11 +95,6 @@ impl Lamp {
         let hit = self.surface.candidate(from, u);
         self.emission.radiance(&TexturePoint::of_hit(at, &*self.shape, &hit), cosine)
     }
-}
-
-/// The cosine between the normal of a lamp and the direction to `from`.
-fn cosine_at(lamp: &Surface, from: math::Point) -> Option<f64> {
-    Some(lamp.normal.dot((from - lamp.point).unit()?))
 }
 
 /// The end of the shadow ray to a point of a lamp. It is in front of the lamp by more than the
@@ -131,14 +126,6 @@ impl Light for Lamp {
             blocked: Rgb::BLACK,
             pdf: Some(pdf),
         })
-    }
-
-    fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit {
-        let drawn = self.surface.sample(from.point, u[0]);
-        match drawn.and_then(|(at, _)| cosine_at(&at, from.point)) {
-            Some(cos_lamp) => Unlit::BehindLamp { cos_lamp },
-            None => Unlit::HiddenPoint,
-        }
     }
 
     fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {

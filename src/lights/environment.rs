@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::{
-    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, Unlit, made,
+    Context, Light, LightContext, LightSample, Made, Segment, Specification, Target, made,
 };
 use crate::background::{Directions, ImageSky, Sky};
 use crate::invalid::Invalid;
@@ -103,10 +103,6 @@ impl Light for Imaged {
             blocked: Rgb::BLACK,
             pdf: Some(pdf),
         })
-    }
-
-    fn unlit(&self, _: &LightContext, _: &[[f64; 2]]) -> Unlit {
-        if self.directions.is_black() { Unlit::Dark } else { Unlit::NoDirection }
     }
 
     fn pdf(&self, _: &LightContext, to: &Target<'_>) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::jittered_directional::in_cube;
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Made, Specification, Unlit, made};
+use super::{Context, Light, LightContext, LightSample, Made, Specification, made};
 use crate::math::{self, NonNegative, Strength, Width};
 use crate::rgb::Rgb;
 
@@ -51,22 +51,13 @@ impl Specification for FakeSpherical {
     }
 }
 
-impl JitteredPoint {
-    fn drawn(&self, u: &[[f64; 2]]) -> math::Point {
-        self.location + self.jitter * in_cube(u)
-    }
-}
-
 impl Light for JitteredPoint {
     fn draws(&self) -> usize {
         2
     }
 
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
-        from_point(from.point, self.drawn(u), self.radiance, self.attenuation)
-    }
-
-    fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit {
-        Unlit::AtLight { distance: from.point.distance(self.drawn(u)) }
+        let drawn = self.location + self.jitter * in_cube(u);
+        from_point(from.point, drawn, self.radiance, self.attenuation)
     }
 }

@@ -60,7 +60,7 @@ impl Light for Jittered {
 }
 
 /// A point of the cube `[−1, 1]³` for two pairs of numbers in `[0, 1)`, of which three are used.
-pub(super) fn in_cube(u: &[[f64; 2]]) -> Vector {
+pub fn in_cube(u: &[[f64; 2]]) -> Vector {
     let along = |u: f64| 2.0 * u - 1.0;
     Vector::new(along(u[0][0]), along(u[0][1]), along(u[1][0]))
 }

@@ -17,7 +17,6 @@ mod spot;
 
 // shared by the kinds
 mod context;
-mod unlit;
 
 use std::fmt::Debug;
 
@@ -26,7 +25,8 @@ use crate::rgb::Rgb;
 use crate::shapes::Surface;
 
 pub use context::{Context, LampObject};
-pub use unlit::Unlit;
+pub use jittered_directional::in_cube;
+pub use point::from_point;
 
 /// A source of light. Contract: `tests/contracts/light.rs`.
 pub trait Light: Debug + Send + Sync {
@@ -61,11 +61,6 @@ pub trait Light: Debug + Send + Sync {
     /// Light that may arrive at a surface, for [`Light::draws`] pairs of numbers in `[0, 1)`;
     /// `None` if none does.
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample>;
-
-    /// Why [`Light::sample`] gives `None` for these numbers. Asked only then, for an explanation.
-    fn unlit(&self, _from: &LightContext, _u: &[[f64; 2]]) -> Unlit {
-        Unlit::NoDirection
-    }
 
     /// The density with which [`Light::sample`] draws this point or direction, per steradian; 0 for
     /// a light that is a single direction, which scattered rays never have.

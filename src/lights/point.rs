@@ -1,6 +1,6 @@
 //! The point light (Suffern, ch. 14), with the distance attenuation of its exercises.
 
-use super::{Context, Light, LightContext, LightSample, Made, Segment, Specification, Unlit, made};
+use super::{Context, Light, LightContext, LightSample, Made, Segment, Specification, made};
 use crate::math::{NonNegative, Point, Strength, power};
 use crate::rgb::Rgb;
 
@@ -49,15 +49,11 @@ impl Light for PointSource {
     fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
         from_point(from.point, self.location, self.radiance, self.attenuation)
     }
-
-    fn unlit(&self, from: &LightContext, _: &[[f64; 2]]) -> Unlit {
-        Unlit::AtLight { distance: from.point.distance(self.location) }
-    }
 }
 
 /// Light `radiance / d^k` from one place; none at the place itself, where it has no direction, or
 /// so near that it would be infinite.
-pub(super) fn from_point(
+pub fn from_point(
     from: Point,
     location: Point,
     radiance: Rgb,

@@ -1,7 +1,7 @@
 //! The spot light: not in the book.
 
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Made, Specification, Unlit, made};
+use super::{Context, Light, LightContext, LightSample, Made, Specification, made};
 use crate::invalid::{direction, within};
 use crate::math::{self, NonNegative, Normal, Strength, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
@@ -62,16 +62,11 @@ impl Specification for Spot {
 }
 
 impl Cone {
-    /// The angle between the axis and a direction, in degrees.
-    fn angle(&self, direction: Vector) -> f64 {
-        let across = Vector::from(self.axis).cross(direction).length();
-        to_degrees(atan2(across, self.axis.dot(direction)))
-    }
-
     /// The share of light that goes into this direction: `s² (3 − 2s)`, s from 1 at `inner` to 0 at
     /// `outer`.
     fn share(&self, direction: Vector) -> f64 {
-        let angle = self.angle(direction);
+        let across = Vector::from(self.axis).cross(direction).length();
+        let angle = to_degrees(atan2(across, self.axis.dot(direction)));
         if angle <= self.inner {
             return 1.0;
         }
@@ -88,14 +83,5 @@ impl Light for Cone {
         let sample = from_point(from.point, self.location, self.radiance, self.attenuation)?;
         let share = self.share(-sample.direction);
         (share > 0.0).then(|| LightSample { radiance: share * sample.radiance, ..sample })
-    }
-
-    fn unlit(&self, from: &LightContext, _: &[[f64; 2]]) -> Unlit {
-        match from_point(from.point, self.location, self.radiance, self.attenuation) {
-            None => Unlit::AtLight { distance: from.point.distance(self.location) },
-            Some(sample) => {
-                Unlit::OutsideCone { angle: self.angle(-sample.direction), outer: self.outer }
-            }
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! The Fresnel reflector (Suffern, ch. 28): a mirror whose strength depends on the angle.
 
-use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, fresnel, mirrored, relative};
+use super::{Branch, Claims, LobeSample, Scatter, fresnel, mirrored, relative};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -35,10 +35,6 @@ impl Scatter for FresnelReflector {
 
     fn albedo(&self, wo: Vector) -> Rgb {
         Rgb::grey(fresnel(wo.z().abs(), relative(self.eta, wo)).reflected)
-    }
-
-    fn written(&self, of: Scattered) -> Vec<Factor> {
-        vec![Factor::number("k_r", of.over(Rgb::WHITE))]
     }
 
     fn specimens() -> Vec<Self> {

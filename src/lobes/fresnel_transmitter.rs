@@ -1,7 +1,7 @@
 //! The Fresnel transmitter (Suffern, ch. 28): refraction whose strength depends on the angle.
 
 use super::{
-    Branch, Claims, Factor, LobeSample, Scatter, Scattered, fresnel, normal_towards, refract,
+    Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract,
     relative,
 };
 use crate::invalid::{Invalid, index_ratio};
@@ -45,16 +45,6 @@ impl Scatter for FresnelTransmitter {
 
     fn eta(&self) -> Option<f64> {
         Some(self.eta)
-    }
-
-    fn written(&self, of: Scattered) -> Vec<Factor> {
-        match of {
-            Scattered::Single { eta, .. } if eta != 1.0 => vec![
-                Factor::number("k_t", eta * eta * of.over(Rgb::WHITE)),
-                Factor::divisor("η²", eta * eta),
-            ],
-            _ => vec![Factor::number("k_t", of.over(Rgb::WHITE))],
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, cosine_power, drawn};
+use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -99,27 +99,6 @@ impl Scatter for GlossyReflection {
                 (scale * cosine_power::integral(self.exponent, wo.z())) * self.reflectance
             }
         }
-    }
-
-    fn written(&self, of: Scattered) -> Vec<Factor> {
-        let share = of.over(self.reflectance);
-        let mut factors = vec![Factor::color("k_r c_r", self.reflectance)];
-        let scale = (self.exponent + 2.0) / (2.0 * PI);
-        match (self.rule, of) {
-            (GlossyRule::Book, Scattered::Lit(_)) => {
-                factors.push(Factor::number("p(ω_i)/cos θ_i", share));
-            }
-            (GlossyRule::Book, _) => factors.push(Factor::number("p(ω_i)", share)),
-            (GlossyRule::Normalised, Scattered::Lit(_)) => factors.extend([
-                Factor::number("(e + 2)/2π", scale),
-                Factor::power("(r·ω_o)^e", share / scale, self.exponent),
-            ]),
-            (GlossyRule::Normalised, _) => factors.extend([
-                Factor::number("(e + 2)/2π", scale),
-                Factor::number("(r·ω_o)^e cos θ_i", share / scale),
-            ]),
-        }
-        factors
     }
 
     fn specimens() -> Vec<Self> {

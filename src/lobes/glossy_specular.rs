@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, cosine_power, drawn};
+use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -50,15 +50,6 @@ impl Scatter for GlossySpecular {
 
     fn albedo(&self, wo: Vector) -> Rgb {
         cosine_power::integral(self.exponent, wo.z()) * self.reflectance
-    }
-
-    fn written(&self, of: Scattered) -> Vec<Factor> {
-        let share = of.over(self.reflectance);
-        let highlight = match of {
-            Scattered::Lit(_) => Factor::power("(r·ω_o)^e", share, self.exponent),
-            _ => Factor::number("(r·ω_o)^e cos θ_i", share),
-        };
-        vec![Factor::color("k_s c_s", self.reflectance), highlight]
     }
 
     fn specimens() -> Vec<Self> {

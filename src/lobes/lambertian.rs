@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
-use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered};
+use super::{Branch, Claims, LobeSample, Scatter};
 use crate::invalid::Invalid;
 use crate::math::{Vector, maps};
 use crate::rgb::Rgb;
@@ -46,15 +46,6 @@ impl Scatter for Lambertian {
 
     fn albedo(&self, wo: Vector) -> Rgb {
         if wo.z() > 0.0 { self.reflectance } else { Rgb::BLACK }
-    }
-
-    fn written(&self, of: Scattered) -> Vec<Factor> {
-        let mut factors = vec![Factor::color("k_d c_d", self.reflectance)];
-        if let Scattered::Drawn(_) = of {
-            factors.push(Factor::number("cos θ_i", PI * of.over(self.reflectance)));
-        }
-        factors.push(Factor::over_pi());
-        factors
     }
 
     fn specimens() -> Vec<Self> {

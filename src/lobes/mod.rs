@@ -17,7 +17,6 @@ mod bsdf;
 mod cosine_power;
 mod fresnel;
 mod refract;
-mod written;
 
 use arrayvec::ArrayVec;
 
@@ -30,7 +29,6 @@ pub(crate) use cosine_power::check_exponent;
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use glossy_reflection::GlossyRule;
 pub use refract::refract;
-pub use written::{Factor, Scattered};
 
 /// A direction drawn by a lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,9 +104,6 @@ trait Scatter {
     fn eta(&self) -> Option<f64> {
         None
     }
-
-    /// See [`Lobe::written`].
-    fn written(&self, of: Scattered) -> Vec<Factor>;
 
     /// Examples, each valid.
     fn specimens() -> Vec<Self>
@@ -191,11 +186,6 @@ macro_rules! lobes {
             /// The name of the paths that it sends on.
             pub fn branch(&self) -> Branch {
                 match self { $(Self::$Lobe(_) => $Lobe::BRANCH),* }
-            }
-
-            /// What is recorded of it as a product, in the book's letters and with its numbers.
-            pub fn written(&self, of: Scattered) -> Vec<Factor> {
-                match self { $(Self::$Lobe(lobe) => lobe.written(of)),* }
             }
 
             /// The chapter that brings it, as `ch13`, and the file it lives in, without `.rs`.

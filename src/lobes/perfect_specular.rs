@@ -1,6 +1,6 @@
 //! The perfect mirror (Suffern, ch. 24).
 
-use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, mirrored};
+use super::{Branch, Claims, LobeSample, Scatter, mirrored};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -36,10 +36,6 @@ impl Scatter for PerfectSpecular {
 
     fn albedo(&self, _: Vector) -> Rgb {
         self.reflectance
-    }
-
-    fn written(&self, _: Scattered) -> Vec<Factor> {
-        vec![Factor::color("k_r c_r", self.reflectance)]
     }
 
     fn specimens() -> Vec<Self> {

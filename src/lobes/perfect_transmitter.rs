@@ -1,9 +1,7 @@
 //! The perfect transmitter (Suffern, ch. 27): refraction with a constant weight.
 
 use super::refract::cos_refracted;
-use super::{
-    Branch, Claims, Factor, LobeSample, Scatter, Scattered, normal_towards, refract, relative,
-};
+use super::{Branch, Claims, LobeSample, Scatter, normal_towards, refract, relative};
 use crate::invalid::{Invalid, index_ratio, not_negative};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -58,16 +56,6 @@ impl Scatter for PerfectTransmitter {
 
     fn eta(&self) -> Option<f64> {
         Some(self.eta)
-    }
-
-    fn written(&self, of: Scattered) -> Vec<Factor> {
-        let mut factors = vec![Factor::number("k_t", self.transmittance)];
-        if let Scattered::Single { eta, .. } = of
-            && eta != 1.0
-        {
-            factors.push(Factor::divisor("η²", eta * eta));
-        }
-        factors
     }
 
     fn specimens() -> Vec<Self> {

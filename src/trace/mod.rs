@@ -10,13 +10,11 @@
 
 mod budget;
 mod direct;
-mod optics;
 mod recorder;
 mod scatter;
 mod shading_point;
 mod shadow;
 mod strategy;
-mod tree;
 
 use crate::lights::{LightContext, Target};
 use crate::lobes::Bsdf;
@@ -27,11 +25,9 @@ use crate::samplers::{Draws, PathKey, Purpose};
 use crate::world::{Hit, PlacedLight, Search, World};
 
 pub use budget::{Budget, RayBudget, TooManyRays, Unlimited, UntilStopped};
-pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;
 pub use strategy::{Direct, EmitterHits, Scatter, Strategy};
-pub use tree::{RayTree, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture, UnlitLight};
 
 /// The radiance that arrives at the origin of a ray from the camera. The direction must be unit:
 /// distances through media are counted in `t`.

@@ -1,10 +1,11 @@
 //! Shadow rays: the visible part of a light's sample (Suffern, ch. 16).
 
 use super::{
-    Budget, Optics, Outcome, RadianceSum, RayKind, Recorder, ShadingPoint, TermSource, Tracing,
+    Budget, Outcome, RadianceSum, RayKind, Recorder, ShadingPoint, TermSource, Tracing,
     absorption_towards,
 };
 use crate::lights::{LightSample, Segment};
+use crate::lobes::NormalKind;
 use crate::materials::Response;
 use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
@@ -229,7 +230,11 @@ fn transmitted(hit: &Hit<'_>, direction: Vector) -> Rgb {
     let from_thinner = |point: &ShadingPoint<'_>| {
         let mut response = Response::default();
         recipe.respond(&hit.texture_point(), point.cos_o, &mut response);
-        Optics::of(point, &response.lobes).filter(|optics| optics.eta >= 1.0)
+        let wo = point.frame(NormalKind::Geometry).to_local(point.wo);
+        let eta = response.lobes.iter().find_map(|(lobe, _)| lobe.relative_eta(wo))?;
+        let refracting = response.lobes.iter().filter(|(lobe, _)| lobe.refracts());
+        let share: Rgb = refracting.map(|(lobe, _)| lobe.albedo(wo)).sum();
+        (eta >= 1.0).then_some((eta * eta) * share)
     };
-    sides.iter().find_map(from_thinner).map_or(Rgb::BLACK, |optics| optics.transmitted)
+    sides.iter().find_map(from_thinner).unwrap_or(Rgb::BLACK)
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::placing::{placed_lights, placed_materials, placed_objects, reflectance_notes};
-use super::{Names, PlacedObject, World};
+use super::{Names, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
 use crate::invalid::{Invalid, Ranges, shown};
@@ -67,7 +67,7 @@ impl World {
         let (mut objects, mut notes) = placed_objects(scene, resources, &materials, &names)?;
         notes.extend(reflectance_notes(&materials));
         let lights = placed_lights(scene, &background, &materials, &mut objects)?;
-        let bounds: Vec<Aabb> = objects.iter().map(PlacedObject::bounds).collect();
+        let bounds: Vec<Aabb> = objects.iter().map(|object| object.shape.bounds()).collect();
         let all_cast_shadows = objects.iter().all(|object| object.casts_shadows)
             && materials.iter().all(|material| material.casts_shadows);
         let has_boundaries = materials.iter().any(|it| it.recipe.boundary().is_some());

@@ -17,7 +17,7 @@ use crate::cameras::View;
 use crate::filters::Filter;
 use crate::lights::{Light, MAX_DRAWS};
 use crate::materials::Material;
-use crate::math::{Aabb, Ray, Span};
+use crate::math::{Ray, Span};
 use crate::samplers::{Draws, PathKey, Purpose, SampleSets};
 use crate::scene::{Image, Scene, Tracer, Transparency};
 use crate::shapes::{Candidate, PartPath, Shape, Surface};
@@ -136,22 +136,11 @@ pub struct PlacedObject {
     /// Whether some part of it blocks light.
     casts_shadows: bool,
     /// Whether it emits the light of its material: not while its area light is off.
-    pub(crate) shines: bool,
+    pub shines: bool,
     /// The area light whose lamp it is, by its index among those that are on.
     pub(crate) lamp_of: Option<u32>,
-    shape: Arc<dyn Shape>,
-}
-
-impl PlacedObject {
-    /// The box around it; not bounded for a shape without an end.
-    pub fn bounds(&self) -> Aabb {
-        self.shape.bounds()
-    }
-
-    /// The surface without edges of which it is a part, and what that is called.
-    pub fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
-        self.shape.whole()
-    }
+    /// Its shape.
+    pub shape: Arc<dyn Shape>,
 }
 
 /// The first hit of a ray.

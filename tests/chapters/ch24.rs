@@ -22,7 +22,7 @@
 mod leaning;
 mod pictures;
 
-use groundtruth::explain::omissions;
+use explain::omissions;
 use groundtruth::lights::PointLight as Lamp;
 use groundtruth::lobes::PerfectSpecular;
 use groundtruth::scene::build::phong;

@@ -30,7 +30,7 @@ mod outline;
 mod paths;
 mod roulette;
 
-use groundtruth::explain::omissions;
+use explain::omissions;
 use groundtruth::trace::TermSource;
 
 use crate::prelude::*;

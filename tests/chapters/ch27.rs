@@ -25,9 +25,9 @@
 mod pictures;
 mod ray_budget;
 
+use explain::RecordedRay;
 use groundtruth::lobes::{PerfectTransmitter, refract};
 use groundtruth::textures::{Checker3d, Kind as Texture};
-use groundtruth::trace::RecordedRay;
 use testkit::properties::*;
 
 use crate::prelude::*;

@@ -44,8 +44,8 @@ mod recorded_optics;
 mod shadows;
 mod vessels;
 
+use explain::RecordedRay;
 use groundtruth::render::{pixel, render};
-use groundtruth::trace::RecordedRay;
 use testkit::properties::*;
 
 use crate::prelude::*;

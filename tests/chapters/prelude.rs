@@ -5,6 +5,7 @@ pub use std::path::Path;
 pub use std::sync::Arc;
 
 pub use ask::Draw;
+pub use explain::RayTree;
 pub use formats::meshes::{Encoding, MeshData};
 pub use groundtruth::accel::Method;
 pub use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
@@ -29,9 +30,9 @@ pub use groundtruth::shapes::{
     Shape, Sphere, Surface, TessellatedSphere, Triangle,
 };
 pub use groundtruth::textures::{Paint, TexturePoint};
-pub use groundtruth::trace::{RayCounts, RayKind, RayTree, radiance};
+pub use groundtruth::trace::{RayCounts, RayKind, radiance};
 pub use groundtruth::world::World;
-pub use groundtruth::{explain, lights, materials, render, shapes, world};
+pub use groundtruth::{lights, materials, render, shapes, world};
 pub use statistics::means;
 pub use statistics::significance::sidak;
 

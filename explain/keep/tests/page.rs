@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::explain::{self, PixelExplanation};
+use explain::PixelExplanation;
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::Scene;

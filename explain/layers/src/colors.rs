@@ -1,6 +1,5 @@
 //! False colours: the values of a layer on a screen, and the legend that says which is which.
 
-use groundtruth::explain;
 use groundtruth::film::Tone;
 use groundtruth::math::{ln, power};
 use groundtruth::rgb::Rgb;
@@ -166,7 +165,7 @@ impl Colors {
                 _ => least + share * (largest - least),
             };
             let value = if is_one { least } else { value };
-            let text = format!("{} {}", explain::brief(value), layer.kind().unit);
+            let text = format!("{} {}", text::brief::brief(value), layer.kind().unit);
             LegendRow { color: ramp(share), text: text.trim_end().to_owned() }
         });
         rows.collect()

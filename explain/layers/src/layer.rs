@@ -3,7 +3,6 @@
 use std::fmt;
 use std::sync::Arc;
 
-use groundtruth::explain;
 use groundtruth::lobes::Lobe;
 use groundtruth::materials::Response;
 use groundtruth::render::Renderer;
@@ -161,9 +160,9 @@ impl Layer {
         let name = |names: &[&str]| names.get(value.r as usize).map(|name| (*name).to_owned());
         let known = self.names(world).and_then(|names| name(&names));
         known.unwrap_or_else(|| match self.kind().channels.len() {
-            1 => explain::brief(value.r),
-            2 => format!("({}, {})", explain::brief(value.r), explain::brief(value.g)),
-            _ => explain::short(value),
+            1 => text::brief::brief(value.r),
+            2 => format!("({}, {})", text::brief::brief(value.r), text::brief::brief(value.g)),
+            _ => text::brief::short(value),
         })
     }
 

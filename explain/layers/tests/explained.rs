@@ -1,7 +1,7 @@
 //! Layers against explanations of the same pixels, which find the same by the tree of rays: from the camera down,
 //! throughput by throughput, where layers add up from the ends of rays to the camera.
 
-use groundtruth::explain::{self, PixelExplanation, RecordedHit, RecordedRay, RecordedTerm};
+use explain::{PixelExplanation, RecordedHit, RecordedRay, RecordedTerm};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, TransparentShadows};
@@ -227,7 +227,7 @@ fn tests_in_a_list(world: &World, ray: &RecordedRay) -> usize {
         Outcome::Unblocked { .. } => objects.len(),
         Outcome::Blocked { .. } => {
             let (bounded, unbounded): (Vec<_>, Vec<_>) =
-                objects.iter().partition(|object| object.bounds().is_bounded());
+                objects.iter().partition(|object| object.shape.bounds().is_bounded());
             let by = ray.blocked_by.as_ref().expect("an object");
             let mut order = unbounded.iter().chain(&bounded);
             1 + order.position(|object| object.name == *by).expect("an object of the world")

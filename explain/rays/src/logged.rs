@@ -2,13 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use groundtruth::explain::{
-    PixelExplanation, RecordedRay, SampleExplanation, Source, Sources, Statistics, Sums, count,
+use explain::{
+    PixelExplanation, RecordedRay, SampleExplanation, Source, Sources, Statistics, Sums,
 };
 use groundtruth::film::Film;
 use groundtruth::render::mean;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
+use text::brief::count;
 
 use crate::laws::{BrokenRay, RayLaw};
 use crate::log::Log;

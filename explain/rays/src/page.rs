@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use groundtruth::explain::count;
 use groundtruth::printable::text as printable;
 use groundtruth::world::World;
 use space::{Section, hiding, orbit_of, svg_of_rays};
+use text::brief::count;
 use text::document::{
     Element, Node, element, figure, group, heading, list, paragraph, several, span, table,
 };

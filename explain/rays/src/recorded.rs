@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use groundtruth::explain::{RecordedHit, RecordedRay};
+use explain::{RecordedHit, RecordedRay};
 use groundtruth::math::{Normal, Ray, Vector, atan2, to_degrees};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::PartPath;

@@ -3,12 +3,11 @@
 //! Random directions are the program's own. So only those rays are compared that no draw decides, and what is added up of
 //! draws is not compared at all; a difference that the rounding of the camera's ray makes, too, is none.
 
-use groundtruth::explain::{RecordedRay, RecordedTerm, UnlitLight, add_unlit};
-use groundtruth::lights::Unlit;
+use explain::{RayTree, RecordedRay, RecordedTerm, Unlit, UnlitLight, add_unlit};
 use groundtruth::math::{Frame, Normal, Ray, Vector, atan2, power, to_degrees};
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::{Outcome, RayBudget, RayKind, RayTree, TermSource};
+use groundtruth::trace::{Outcome, RayBudget, RayKind, TermSource};
 use groundtruth::world::World;
 use text::digits::{short, three};
 
@@ -109,7 +108,8 @@ fn compared(
     let (mut tree, mut budget) = (RayTree::of(world), RayBudget::up_to(MAX_RAYS));
     program.radiance(&ray, world.draws([0, 0], 0), &mut tree, &mut budget);
     let mut ours = tree.into_root().filter(|_| !budget.is_exceeded())?;
-    add_unlit(world, world.draws([0, 0], 0), &mut ours);
+    // which of the reasons of a light without a sample it is does not matter here
+    add_unlit((world, &[]), world.draws([0, 0], 0), &mut ours);
     let mut comparison = Comparison { traced, world, agreed: Vec::new() };
     let parted = match comparison.ray(root, &ours, 1.0) {
         Compared::Parted(parting) => Some(parting),

@@ -2,9 +2,9 @@
 
 use std::fmt::{self, Write as _};
 
-use groundtruth::explain::{brief, count};
 use groundtruth::printable::{self, name};
 use groundtruth::rgb::Rgb;
+use text::brief::{brief, count};
 
 use crate::laws::{LAWS, LawReport, RayLaw};
 use crate::traced::Traced;
@@ -208,7 +208,7 @@ impl RayVerdict {
         });
         parts.extend(ray.t.map(|t| format!("t {}", brief(t))));
         let color = |word: &str, color: Option<Rgb>| {
-            color.map(|color| format!("{word} {}", groundtruth::explain::short(color)))
+            color.map(|color| format!("{word} {}", text::brief::short(color)))
         };
         parts.extend(color("weight", ray.factors.weight));
         parts.extend(color("brings", ray.radiance));

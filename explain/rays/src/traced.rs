@@ -362,7 +362,7 @@ fn least_t(traced: &Traced) -> f64 {
 
 fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {
     let size_of = |object: &PlacedObject| {
-        let bounds = object.bounds();
+        let bounds = object.shape.bounds();
         let corner = |point: Point| point.to_vector().max_abs();
         bounds
             .is_bounded()

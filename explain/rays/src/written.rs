@@ -1,6 +1,6 @@
 //! Our own explanation of a pixel as a log, so that whoever has never seen one opens one of ours first.
 
-use groundtruth::explain::{PixelExplanation, RecordedRay, RecordedTerm};
+use explain::{PixelExplanation, RecordedRay, RecordedTerm};
 use groundtruth::lobes::Lobe;
 use groundtruth::math::Vector;
 use groundtruth::rgb::Rgb;

@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use groundtruth::explain::SourceExplanation;
+use explain::SourceExplanation;
 use groundtruth::rgb::Rgb;
 use rays::{Logged, RayVerdict, Traced, read};
 

@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use groundtruth::explain::{self, SampleExplanation};
+use explain::SampleExplanation;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rays::RayVerdict;

@@ -122,7 +122,7 @@ impl Beside<'_> {
 
     /// The first step of a search, in world units.
     fn step(&self, nearest: &Spot) -> f64 {
-        let bounds = self.object.bounds();
+        let bounds = self.object.shape.bounds();
         if bounds.is_bounded() {
             (bounds.extent().max_abs() / f64::from(GRID)).min(nearest.distance)
         } else {
@@ -132,7 +132,7 @@ impl Beside<'_> {
 
     /// Points all over the surface.
     fn spots(&self) -> Vec<Spot> {
-        let bounds = self.object.bounds();
+        let bounds = self.object.shape.bounds();
         let mut spots = Vec::new();
         if bounds.is_bounded() {
             // a long and thin object shows little along its length, and a field of many parts takes long there
@@ -193,7 +193,7 @@ impl Beside<'_> {
 
     /// A point of the surface that is nearer to the ray, found by chance.
     fn nearer(&self, best: &Spot, random: &mut Pcg32) -> Option<Spot> {
-        let bounds = self.object.bounds();
+        let bounds = self.object.shape.bounds();
         let unit = self.ray.direction.length();
         // only next to the object can the ray come nearer to it
         let reach = match bounds.is_bounded() {

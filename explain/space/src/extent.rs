@@ -8,7 +8,7 @@ use super::{End, Segment};
 /// The ball around the camera's eyes and all objects with an end: its centre and its radius, in world units. The
 /// radius is positive.
 pub fn of_scene(world: &World) -> (Point, f64) {
-    let bounds = world.objects().iter().map(|object| object.bounds());
+    let bounds = world.objects().iter().map(|object| object.shape.bounds());
     let objects = bounds.filter(Aabb::is_bounded).fold(Aabb::EMPTY, Aabb::union);
     let eyes = Aabb::around(world.view.eyes().iter().map(|eye| eye.position()));
     ball(objects.union(eyes))
@@ -26,7 +26,7 @@ pub fn of_hits(world: &World, segments: &[Segment]) -> Option<(Point, f64)> {
         let touched = met().any(|segment| bounds.padded().contains(segment.to));
         bounds.is_bounded() && touched && bounds.extent().length() < 4.0 * reach
     };
-    let boxes = world.objects().iter().map(|object| object.bounds()).filter(is_near);
+    let boxes = world.objects().iter().map(|object| object.shape.bounds()).filter(is_near);
     all = boxes.fold(all, Aabb::union);
     all.is_bounded().then(|| (all.center(), reach.max(0.5 * all.extent().length())))
 }

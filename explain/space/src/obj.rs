@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::printable;
 
 use super::{Role, Segment};

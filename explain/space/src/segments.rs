@@ -1,6 +1,6 @@
 //! The rays of a tree as straight pieces between points of the world.
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::lights::{LightContext, MAX_DRAWS, Segment as Way};
 use groundtruth::math::{Point, Ray, Span};
 use groundtruth::trace::{Outcome, RayKind};

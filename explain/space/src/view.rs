@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::rgb::Rgb;

@@ -1,6 +1,6 @@
 //! Counts and closed forms of the view of rays: how many pieces are drawn and numbered, what hides, where the camera stands.
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::rgb::Rgb;
 use groundtruth::world::World;

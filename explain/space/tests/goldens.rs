@@ -1,6 +1,6 @@
 //! Goldens of words and lines, written anew by `scripts/renew-texts.sh`; the laws about them are in the other files.
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::trace::RayKind;
 use groundtruth::world::World;

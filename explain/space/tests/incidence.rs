@@ -1,6 +1,6 @@
 //! The plane of incidence, and which section is the first.
 
-use groundtruth::explain::{self, RecordedHit, RecordedRay};
+use explain::{RecordedHit, RecordedRay};
 use groundtruth::math::{Point, Vector};
 use groundtruth::trace::RayKind;
 use groundtruth::world::World;

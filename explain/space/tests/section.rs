@@ -1,6 +1,6 @@
 //! Sections against the recorded directions, Snell's law, closed forms of shapes and the world's distances.
 
-use groundtruth::explain::{self, RecordedRay};
+use explain::RecordedRay;
 use groundtruth::math::{Point, Vector, sin_degrees};
 use groundtruth::world::World;
 use space::{Role, Section, Window, outlines};

@@ -1,8 +1,8 @@
 //! The pieces of rays against closed forms and the recorded points.
 
-use groundtruth::explain;
+use explain::RecordedRay;
 use groundtruth::math::Point;
-use groundtruth::trace::{Outcome, RecordedRay};
+use groundtruth::trace::Outcome;
 use groundtruth::world::World;
 use space::{End, Segment, segments};
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::explain::{self, RecordedRay};
+use explain::RecordedRay;
 use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};

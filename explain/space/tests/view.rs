@@ -1,6 +1,6 @@
 //! What is seen of rays, and what hides them.
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::Point;
 use groundtruth::world::World;
 use space::{End, Orbit, Segment, hiding, of_hits, orbit_of, segments, svg_of_rays};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::explain::{self, RecordedRay};
+use explain::RecordedRay;
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -226,9 +226,9 @@ fn no_point_of_a_surface_is_nearer_than_the_nearest() {
     let mut random = Pcg32::new(5, 1);
     for entry in gallery::scenes() {
         let world = World::build(&(entry.build)()).unwrap();
-        let ended = world.objects().iter().filter(|object| object.bounds().is_bounded());
+        let ended = world.objects().iter().filter(|object| object.shape.bounds().is_bounded());
         for object in ended.take(2) {
-            let bounds = object.bounds();
+            let bounds = object.shape.bounds();
             let mut inside = |larger: f64| {
                 let [x, y, z] = [0, 1, 2].map(|_| larger * (random.uniform() - 0.5));
                 let extent = bounds.extent();

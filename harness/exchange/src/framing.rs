@@ -16,7 +16,7 @@ const MARGIN: f64 = 1.02;
 
 /// The box around all objects of a world that have one; `None` if there are none.
 pub fn bounds(world: &World) -> Option<Aabb> {
-    let boxes = world.objects().iter().map(|object| object.bounds());
+    let boxes = world.objects().iter().map(|object| object.shape.bounds());
     let boxes = boxes.filter(Aabb::is_bounded);
     boxes.reduce(Aabb::union)
 }

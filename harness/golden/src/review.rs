@@ -4,10 +4,10 @@ use std::path::Path;
 
 use crate::compare::DRIFT;
 use crate::{Golden, GoldenFinding, GoldenStatus, View};
-use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone};
 use pictures::compare::pair::{self, ComparedPictures};
 use pictures::compare::{Comparison, Picture};
+use text::brief::count;
 use text::document::*;
 use text::shell;
 use text::told::Told;

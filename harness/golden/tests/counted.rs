@@ -2,7 +2,6 @@
 
 use golden::compare::{differences, verdict};
 use golden::{GoldenSettings, GoldenStatus, Goldens, View, leaf};
-use groundtruth::explain;
 use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
 use groundtruth::rgb::Rgb;

@@ -4,10 +4,10 @@ use eframe::egui::{
     Align2, Area, Button, ComboBox, Frame, Id, Label, Order, PopupCloseBehavior, Rect, RichText,
     Ui, WidgetInfo, accesskit::Role, vec2,
 };
-use groundtruth::explain::{brief, count};
 use groundtruth::printable;
 use pictures::compare::Comparison;
 use rays::Logged;
+use text::brief::{brief, count};
 
 use crate::action::{Action, Shows, With};
 use crate::comparison::menu::CompareMenu;

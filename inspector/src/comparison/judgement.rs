@@ -9,7 +9,6 @@ use eframe::egui::{
     Align2, Button, Color32, Context, FontId, Id, Painter, Rect, RichText, Sense, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
-use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::{Canvas, Crop};
 use groundtruth::world::World;
@@ -17,6 +16,7 @@ use judge::verdict::{
     self, Case, Decision, DifferingRegion, Progress, Renders, Strictness, Verdict,
 };
 use pictures::compare::Picture;
+use text::brief::count;
 
 use crate::action::{Action, Shows};
 use crate::picture::developed::{self, Developed, Version};

@@ -1,8 +1,8 @@
 //! The list of known mistakes, with which another picture is made.
 
 use eframe::egui::{Button, Key, TextEdit, Ui, WidgetInfo, accesskit::Role};
-use groundtruth::explain::percent;
 use judge::mistakes::{self, Mistake};
+use text::brief::percent;
 
 use crate::comparison::bar;
 use crate::comparison::others::Others;

@@ -7,7 +7,6 @@ use eframe::egui::{
     Align2, Color32, Context, CursorIcon, FontId, Id, Painter, Rect, Sense, Stroke, Ui, WidgetInfo,
     accesskit::Role, vec2,
 };
-use groundtruth::explain;
 use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 use judge::verdict;
@@ -142,7 +141,7 @@ impl Theirs {
     /// Its value at a pixel in words: as stored if that is radiance, else radiance and the stored integers.
     pub fn value(&self, pixel: [u32; 2]) -> Option<String> {
         let radiance = self.radiance(pixel)?;
-        let Some(picture) = self.stored() else { return Some(explain::short(radiance)) };
+        let Some(picture) = self.stored() else { return Some(text::brief::short(radiance)) };
         let [r, g, b] = picture.values[picture.index(pixel)];
         Some(match picture.step {
             None if [g, b] == [r, r] => format!("{r:?}"),
@@ -150,7 +149,7 @@ impl Theirs {
             Some(step) => {
                 let integer = |value: f32| (f64::from(value) / step).round();
                 let [r, g, b, largest] = [r, g, b, 1.0].map(integer);
-                format!("{}, stored as {r}, {g}, {b} of {largest}", explain::short(radiance))
+                format!("{}, stored as {r}, {g}, {b} of {largest}", text::brief::short(radiance))
             }
         })
     }

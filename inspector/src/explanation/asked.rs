@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::Context;
-use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
+use explain::{PixelExplanation, RecordedRay, SampleExplanation};
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;

@@ -1,7 +1,7 @@
 //! The selected ray in two pictures, number by number.
 
 use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui, vec2};
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::trace::RayKind;
 use text::digits::shortened;
 

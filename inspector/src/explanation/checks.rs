@@ -1,9 +1,9 @@
 //! What the laws of rays found in a log: the tab *Checks*, and what is said of one ray.
 
 use eframe::egui::{CollapsingHeader, Grid, Painter, RichText, Stroke, StrokeKind, Ui};
-use groundtruth::explain::count;
 use groundtruth::printable;
 use rays::{LawReport, Logged, Outcome, RayLaw, RayPlace};
+use text::brief::count;
 use text::digits::shortened;
 
 use crate::explanation::tree::{BROKEN, LOCAL};

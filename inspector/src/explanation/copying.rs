@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use eframe::egui::{Context, Id, Ui};
-use groundtruth::explain::PixelExplanation;
+use explain::PixelExplanation;
 use groundtruth::scene;
 use groundtruth::world::DEFAULT_SEED;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};

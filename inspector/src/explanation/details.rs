@@ -1,13 +1,12 @@
 //! The details of one ray.
 
 use eframe::egui::{CollapsingHeader, Grid, Label, RichText, Ui};
-use groundtruth::explain::{
-    RecordedHit, RecordedRay, brief, lines, percent, quoted, short, unblocked,
-};
+use explain::{Optics, RecordedHit, RecordedRay, RecordedTexture, lines, quoted, unblocked};
 use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
-use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
+use groundtruth::trace::{Outcome, RayKind};
+use text::brief::{brief, percent, short};
 use text::digits::shortened;
 
 use crate::explanation::tree::kind_color;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui::{
     self, Align, Button, Frame, Key, Label, Layout, Margin, RichText, ScrollArea, Ui, vec2,
 };
-use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
+use explain::{PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
 use judge::verdict::Verdict;
@@ -278,7 +278,7 @@ impl Panel {
         if let Some(PixelExplanation { pixel: [x, y], radiance, .. }) = pinned {
             ui.horizontal_wrapped(|ui| {
                 swatch(ui, display::color(shown.tone, *radiance));
-                let text = format!("pinned ({x}, {y}): {}", explain::short(*radiance));
+                let text = format!("pinned ({x}, {y}): {}", text::brief::short(*radiance));
                 ui.label(RichText::new(text).monospace().size(12.0));
             });
         }
@@ -302,7 +302,7 @@ fn sample_tree(ui: &mut Ui, tree: &mut Tree, sample: &SampleExplanation, tone: &
         if follow.on_hover_text(hint).clicked() || key {
             tree.follow_largest(root);
         }
-        let rays = explain::count(root.count(), "ray");
+        let rays = text::brief::count(root.count(), "ray");
         ui.add(Label::new(RichText::new(rays + &film).weak()).truncate());
     });
     // no legend in a low window: each line names its kind of ray too

@@ -1,9 +1,10 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
 use eframe::egui::{Button, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
-use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
+use explain::{PixelExplanation, RecordedRay};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
+use text::brief::{percent, short};
 use text::digits::shortened;
 
 use crate::comparison::theirs::Theirs;

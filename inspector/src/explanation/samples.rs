@@ -3,11 +3,12 @@
 use eframe::egui::{
     Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
 };
-use groundtruth::explain::{PixelExplanation, RecordedRay, count, short};
+use explain::{PixelExplanation, RecordedRay};
 use groundtruth::render;
 use groundtruth::samplers::{self, Key, PathKey, Purpose};
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
+use text::brief::{count, short};
 
 use crate::explanation::selection::Selection;
 use crate::explanation::{Shown, Subject, Version};

@@ -7,7 +7,7 @@ use eframe::egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2,
     WidgetInfo, accesskit::Role as NodeRole, vec2,
 };
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::Vector;
 use groundtruth::world::World;
 use space::{Drawing, Label, Role, Section, arrowhead};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eframe::egui::Context;
-use groundtruth::explain::{PixelExplanation, RecordedRay};
+use explain::{PixelExplanation, RecordedRay};
 use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use rays::{Logged, RayPlace};

@@ -1,7 +1,7 @@
 //! The path to the selected ray, projected into the picture.
 
 use eframe::egui::{Color32, Pos2, Stroke, Ui};
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::render;
 use groundtruth::world::World;
 

@@ -8,9 +8,10 @@ use eframe::egui::{
     Align2, Button, Color32, FontId, Label, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind,
     TextStyle, Ui, WidgetInfo, accesskit::Role, vec2,
 };
-use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row, count, percent};
+use explain::{Outline, RecordedRay, RecordedTerm, Row};
 use groundtruth::film::Tone;
 use groundtruth::trace::{Outcome, RayKind};
+use text::brief::{count, percent};
 
 use crate::picture::display::{self, ink};
 

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, HashSet};
 
 use eframe::egui::{Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
-use groundtruth::explain::brief;
 use rays::{Logged, LoggedValue, RayPlace};
+use text::brief::brief;
 
 use crate::explanation::asked::Question;
 use crate::picture::display::{ground, ink};

@@ -1,7 +1,7 @@
 //! Why the selected ray does not hit an object.
 
 use eframe::egui::{ComboBox, RichText, Ui};
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::printable::name;
 use space::why_not;
 

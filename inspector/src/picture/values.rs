@@ -4,9 +4,9 @@ use eframe::egui::{
     Align, Align2, Color32, FontId, Frame, Label, Layout, Painter, Rect, RichText, Sense,
     TextStyle, Ui, UiBuilder, vec2,
 };
-use groundtruth::explain::brief;
 use groundtruth::rgb::Rgb;
 use layers::{Layer, LegendRow};
+use text::brief::brief;
 
 use crate::picture::chosen_layer::ChosenLayer;
 use crate::picture::view::Placement;

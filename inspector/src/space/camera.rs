@@ -1,7 +1,7 @@
 //! The camera of the space view: the buttons, keys and drags that move it, and what it looks through.
 
 use eframe::egui::{Key, PointerButton, Response, Ui, Vec2};
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::Vector;
 use groundtruth::world::World;
 use space::{Orbit, Segment};

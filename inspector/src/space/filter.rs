@@ -1,7 +1,8 @@
 //! Which rays of a tree are drawn in space.
 
 use eframe::egui::{DragValue, RichText, Slider, Ui};
-use groundtruth::explain::{RecordedRay, percent};
+use explain::RecordedRay;
+use text::brief::percent;
 
 use crate::explanation::tree::{KINDS, OF_BLOCKED, kind};
 use crate::picture::display::ink;

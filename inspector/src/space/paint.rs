@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Visuals, vec2};
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::{Point, atan2, ln, to_degrees};
 use groundtruth::render;
 use groundtruth::world::World;

@@ -6,10 +6,11 @@ use std::sync::Arc;
 use eframe::egui::{
     Align2, Context, Id, Rect, Response, Sense, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
 };
-use groundtruth::explain::{RecordedRay, count};
+use explain::RecordedRay;
 use groundtruth::printable::name;
 use groundtruth::world::World;
 use space::Segment;
+use text::brief::count;
 
 use crate::explanation::Subject;
 use crate::explanation::asked::Question;

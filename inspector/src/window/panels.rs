@@ -4,7 +4,7 @@ use eframe::egui::{
     Align, Align2, Area, Button, Context, Frame, Id, Key, Label, Layout, Order, ProgressBar, Rect,
     RichText, Slider, TextEdit, Ui, vec2,
 };
-use groundtruth::explain::{count, short};
+use text::brief::{count, short};
 
 use crate::action::Action;
 use crate::comparison::opening;

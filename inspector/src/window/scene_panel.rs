@@ -1,9 +1,9 @@
 //! The panel of the scene: what the scene is, its settings, numbers and switches.
 
 use eframe::egui::{Button, RichText, ScrollArea, Ui};
-use groundtruth::explain::{self, count};
 use groundtruth::printable;
 use rays::Logged;
+use text::brief::count;
 
 use crate::comparison::others::Others;
 use crate::picture::image_settings::ImageSettings;

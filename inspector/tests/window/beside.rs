@@ -2,13 +2,13 @@
 
 use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain::{self, short};
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use inspector::action::Shows;
 use inspector::scene::fields::{self, Change};
 use std::path::Path;
+use text::brief::short;
 
 use crate::support::*;
 

@@ -121,13 +121,13 @@ fn the_next_region_is_explained_beside_their_value() {
         }
         let line = text_with(&window, "theirs − ours: ");
         let ours = Rgb::from(a.to_array().map(|channel| f64::from(channel as f32)));
-        assert!(line.contains(&groundtruth::explain::short(stored - ours)), "{line}");
+        assert!(line.contains(&text::brief::short(stored - ours)), "{line}");
     }
     click(&mut window, [20, 10]);
     assert!(text_with(&window, "theirs: ").ends_with(": equal"));
     let at = on_screen(&window, RIGHT);
     hover(&mut window, at);
-    let [a, b] = [ours.get(RIGHT), theirs.get(RIGHT)].map(groundtruth::explain::short);
+    let [a, b] = [ours.get(RIGHT), theirs.get(RIGHT)].map(text::brief::short);
     assert!(window.query_by_label(&format!("(40, 44)  {a}  theirs {b}")).is_some());
 }
 

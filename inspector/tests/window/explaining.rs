@@ -2,8 +2,8 @@
 
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
+use explain::RecordedRay;
 use groundtruth::cameras::{Stereo, Viewing};
-use groundtruth::explain::RecordedRay;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 

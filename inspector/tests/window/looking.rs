@@ -183,7 +183,7 @@ fn the_pixel_under_the_mouse_is_shown() {
     let at = on_screen(&window, [20, 30]);
     hover(&mut window, at);
     let radiance = window.state().session.rendering.canvas.look(|film| film.get([20, 30]));
-    let text = format!("(20, 30)  {}", groundtruth::explain::short(radiance));
+    let text = format!("(20, 30)  {}", text::brief::short(radiance));
     assert!(window.query_by_label(&text).is_some());
 }
 

@@ -1,7 +1,7 @@
 //! A noisy pixel: its paths, its largest samples, and what each light and each lobe adds.
 
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain::{self, PixelExplanation, RecordedRay, RecordedTerm};
+use explain::{PixelExplanation, RecordedRay, RecordedTerm};
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
 

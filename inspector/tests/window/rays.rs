@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
 use inspector::explanation::selection::Tab;

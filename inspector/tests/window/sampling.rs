@@ -66,7 +66,7 @@ fn a_point_and_its_ray_are_lit_together() {
     let mut window = samples_of(scene.clone(), pixel);
     let to_light = |sample: u32| {
         let root = ray_of(&scene, pixel, sample);
-        let is_it = |ray: &&groundtruth::explain::RecordedRay| matches!(ray.kind, RayKind::Shadow { light: it } if it == light);
+        let is_it = |ray: &&explain::RecordedRay| matches!(ray.kind, RayKind::Shadow { light: it } if it == light);
         root.children.iter().find(is_it).map(|ray| ray.number)
     };
     for (plot, sample) in [(0, 5), (2, 7)] {

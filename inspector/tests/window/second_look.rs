@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use eframe::egui::{Color32, Context, Key, Pos2, Rect, Shape, Theme, Visuals, accesskit::Role};
 use egui_kittest::kittest::Queryable;
-use groundtruth::explain::{self, RecordedRay, short};
+use explain::RecordedRay;
 use groundtruth::render::{self, Canvas};
 use groundtruth::trace::RayKind;
 use inspector::action::Shows;
@@ -17,6 +17,7 @@ use inspector::space::backdrop::{Backdrop, Request};
 use inspector::splits::Mode;
 use inspector::window::style::set_style;
 use judge::mistakes;
+use text::brief::short;
 
 use crate::support::*;
 

@@ -2,8 +2,8 @@
 
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
+use explain::RecordedRay;
 use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
-use groundtruth::explain::RecordedRay;
 use groundtruth::math::Point;
 use inspector::space::filter::Filter;
 use inspector::splits::Mode;
@@ -130,7 +130,7 @@ fn an_object_can_be_looked_through() {
     let mut window = in_space();
     let world = built(&small_glass_sphere());
     let red = world.objects().iter().find(|object| &*object.name == "red sphere").expect("red");
-    let at = place(&window, red.bounds().center());
+    let at = place(&window, red.shape.bounds().center());
     let color =
         |window: &mut Window| window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
     let opaque = color(&mut window);
@@ -215,7 +215,7 @@ fn what_is_pointed_at_is_outlined() {
     let mut window = in_space();
     let world = built(&small_glass_sphere());
     let red = world.objects().iter().find(|object| &*object.name == "red sphere").expect("red");
-    let middle = place(&window, red.bounds().center());
+    let middle = place(&window, red.shape.bounds().center());
     let row = window.get_by_label("red sphere").rect().center();
     let before = window.render().expect("drawn");
     window.hover_at(row);

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::explain::{self, RecordedRay};
+use explain::RecordedRay;
 use groundtruth::film::{self, Film, Tone};
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};

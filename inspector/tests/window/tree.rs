@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use eframe::egui::{Key, OutputCommand, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::explain::{Outline, RecordedRay, Row};
+use explain::{Outline, RecordedRay, Row};
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use inspector::explanation::tree::MIN_SHARE;
 

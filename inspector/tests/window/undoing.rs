@@ -2,13 +2,14 @@
 
 use eframe::egui::{Context, Key, Modifiers, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::explain::{self, RecordedRay, short};
+use explain::RecordedRay;
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use inspector::action::With;
 use inspector::explanation::beside;
 use inspector::scene::fields::Change;
+use text::brief::short;
 
 use crate::support::*;
 

@@ -34,7 +34,7 @@ fn an_unrendered_pixel_is_not_shown_as_black() {
     rendering.canvas.render(&*rendering.world);
     assert!(rendering.canvas.look(|film| film.get(GROUND)) == Rgb::BLACK);
     settle(&mut window);
-    let black = groundtruth::explain::short(Rgb::BLACK);
+    let black = text::brief::short(Rgb::BLACK);
     assert_eq!(words_at(&mut window, GROUND), format!("(30, 44)  {black}"));
     for x in [20, 24] {
         assert_eq!(shown(&mut window, [x, 44]), [0; 3], "no hatching");

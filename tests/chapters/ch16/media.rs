@@ -1,7 +1,8 @@
 //! Shadow rays through absorbing media, and light without shadows.
 
+use explain::RecordedRay;
 use groundtruth::lights::{AmbientOccluder, Kind, PointLight as Lamp};
-use groundtruth::trace::{RecordedRay, TermSource};
+use groundtruth::trace::TermSource;
 use testkit::properties::*;
 
 use crate::prelude::*;
@@ -179,9 +180,8 @@ fn a_highlight_on_a_boundary_comes_through_the_medium_outside() {
         let expected = if outside == water() { through(length) } else { Rgb::WHITE };
         let found = shadow.transmittance;
         close!(found, expected, OFFSETS, "outside {outside:?}");
-        let direct = |term: &&groundtruth::trace::RecordedTerm| {
-            matches!(term.source, TermSource::Direct { .. })
-        };
+        let direct =
+            |term: &&explain::RecordedTerm| matches!(term.source, TermSource::Direct { .. });
         assert!(tree.root().terms.iter().any(|term| direct(&term)), "there is a highlight");
     }
 }

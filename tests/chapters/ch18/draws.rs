@@ -1,8 +1,9 @@
 //! The draws of lights, and how many rays they cast.
 
+use explain::RecordedRay;
 use groundtruth::cameras::ThinLens;
 use groundtruth::render::{camera_sample, sample};
-use groundtruth::trace::{RecordedRay, TermSource};
+use groundtruth::trace::TermSource;
 
 use super::*;
 use crate::prelude::*;

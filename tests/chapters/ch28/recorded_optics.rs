@@ -1,6 +1,7 @@
 //! What the recorder reports about refraction: the numbers that `explain` and the inspector show.
 
-use groundtruth::trace::{RecordedHit, RecordedRay, TermSource};
+use explain::{RecordedHit, RecordedRay};
+use groundtruth::trace::TermSource;
 use testkit::properties::*;
 
 use super::{child, glass, tinted};

@@ -1,7 +1,7 @@
 //! Lamps whose radiance is a texture: light samples and rays see the same.
 
+use explain::RecordedHit;
 use groundtruth::lights::{LightContext, Segment};
-use groundtruth::trace::RecordedHit;
 
 use super::instances::local_point;
 use super::*;

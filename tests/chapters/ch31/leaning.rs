@@ -1,13 +1,13 @@
 //! Scattering where the shading normal leans, by smooth normals or by a bump: what is refracted obeys the true
 //! normal, what is glossy follows the shading normal.
 
+use explain::{RecordedHit, RecordedRay};
 use groundtruth::bumps;
 use groundtruth::lobes::{
     Bsdf, GlossyReflection, GlossySpecular, Lambertian, LobeSet, Lobes, NormalKind, Normals,
 };
 use groundtruth::materials::Kind as Recipe;
 use groundtruth::math::ln_1p;
-use groundtruth::trace::{RecordedHit, RecordedRay};
 use testkit::properties::*;
 
 use crate::prelude::*;

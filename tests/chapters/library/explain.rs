@@ -10,7 +10,7 @@ mod unlit;
 
 use std::path::Path;
 
-use groundtruth::explain::{Outline, RecordedRay, Row};
+use explain::{Outline, RecordedRay, Row};
 
 use crate::prelude::*;
 use testkit::same_text::{Printed, hold};

@@ -5,11 +5,12 @@ mod samples;
 mod style;
 mod tree;
 
-use groundtruth::explain::{PixelExplanation, RecordedRay, SourceExplanation, count, percent};
+use explain::{PixelExplanation, RecordedRay, SourceExplanation};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use space::{Section, hiding, orbit_of, svg_of_rays};
+use text::brief::{count, percent};
 use text::digits::three;
 use text::document::*;
 use text::html::{LINES, escaped, page};

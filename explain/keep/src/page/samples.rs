@@ -1,7 +1,8 @@
 //! The samples of a pixel: the trees of those that are explained, and the values of all.
 
-use groundtruth::explain::{SampleExplanation, count};
+use explain::SampleExplanation;
 use groundtruth::rgb::Rgb;
+use text::brief::count;
 use text::digits::three;
 use text::document::*;
 

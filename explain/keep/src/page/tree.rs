@@ -1,9 +1,10 @@
 //! The tree of rays as HTML that folds.
 
-use groundtruth::explain::{RecordedRay, count, percent, short};
+use explain::RecordedRay;
 use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::World;
 use space::{Role, Section, ink};
+use text::brief::{count, percent, short};
 use text::digits::shortened;
 use text::document::*;
 

@@ -104,7 +104,7 @@ impl<'a> Seen<'a> {
                 // a program that takes a direction for a unit vector errs by what it is not: at a ball of radius r by
                 // ε t²/(2 r cosine), so that it counts with the object's size
                 let off_unit = (length - 1.0).abs();
-                let bounds = hit.object.bounds();
+                let bounds = hit.object.shape.bounds();
                 let radius = 0.5 * (bounds.max - bounds.min).max_abs();
                 let reach = t.abs() * (1.0 + t.abs() / radius.max(f64::MIN_POSITIVE));
                 let off_unit = if off_unit <= 1e-3 { 4.0 * off_unit * reach } else { 0.0 };

@@ -1,6 +1,6 @@
 //! The plane of incidence of a hit.
 
-use groundtruth::explain::{RecordedHit, RecordedRay};
+use explain::{RecordedHit, RecordedRay};
 use groundtruth::math::{Vector, cos_degrees, sin_degrees};
 use groundtruth::printable::name;
 use groundtruth::trace::{Outcome, RayKind};

@@ -5,7 +5,7 @@ mod outline;
 mod plane;
 mod shadow;
 
-use groundtruth::explain::RecordedRay;
+use explain::RecordedRay;
 use groundtruth::math::{Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use groundtruth::trace::RayKind;
 use groundtruth::world::World;
@@ -93,7 +93,7 @@ fn angle_between(a: Vector, b: Vector) -> f64 {
 /// The index and the box's diagonal of an object; the diagonal is infinite if it has no end.
 fn object(world: &World, name: &str) -> Option<(u32, f64)> {
     let object = world.objects().iter().find(|object| &*object.name == name)?;
-    let bounds = object.bounds();
+    let bounds = object.shape.bounds();
     let size = if bounds.is_bounded() { bounds.extent().length() } else { f64::INFINITY };
     Some((object.index, size))
 }

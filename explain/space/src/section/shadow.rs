@@ -1,6 +1,6 @@
 //! The plane through a hit, its normal and a light.
 
-use groundtruth::explain::{RecordedRay, quoted};
+use explain::{RecordedRay, quoted};
 use groundtruth::math::{Point, Vector, cos_degrees};
 use groundtruth::printable::name;
 use groundtruth::trace::{Outcome, RayKind};

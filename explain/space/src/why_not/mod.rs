@@ -8,7 +8,7 @@ mod words;
 
 use std::path::Path;
 
-use groundtruth::explain::{RecordedRay, count};
+use explain::RecordedRay;
 use groundtruth::math::{Point, Ray, Span};
 use groundtruth::printable;
 use groundtruth::scene::Scene;
@@ -16,6 +16,7 @@ use groundtruth::similar;
 use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::{Hit, PlacedObject, World};
 use serde::Serialize;
+use text::brief::count;
 
 use super::approach::{Approach, Beside};
 use super::hits::Hits;
@@ -353,7 +354,7 @@ impl Cast<'_> {
 
     /// The larger surface of which the object is a part, and where the ray meets it.
     fn whole(&self, object: &PlacedObject) -> Option<(&'static str, Meeting)> {
-        let (name, whole) = object.whole()?;
+        let (name, whole) = object.shape.whole()?;
         let ray = &self.ray.ray;
         let at = whole.hit(ray, Span { min: 0.0, max: self.end })?;
         Some((name, meeting(ray, at.t, whole.surface(ray, &at).point)))

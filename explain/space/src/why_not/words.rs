@@ -1,9 +1,9 @@
 //! The answer in words and numbers.
 
-use groundtruth::explain::brief;
 use groundtruth::math::Point;
 use groundtruth::printable::name;
 use groundtruth::trace::RayKind;
+use text::brief::brief;
 
 use super::{Meeting, WhyNot, WhyNotAnswer};
 

@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 use super::limits::{self, MAX_POINTS};
 use super::numbers::{RayData, Real, Triple, color, triple};
 use super::source::{Built, Source};
+use explain::{RayTree, RecordedRay};
 use groundtruth::invalid::Invalid;
-use groundtruth::trace::{self, Outcome, RayBudget, RayKind, RayTree, RecordedRay};
+use groundtruth::trace::{self, Outcome, RayBudget, RayKind};
 use groundtruth::world::DEFAULT_SEED;
 
 #[derive(Deserialize)]

@@ -44,7 +44,7 @@ impl fmt::Display for Unsupported {
 /// All that cannot be said of a scene, a line each.
 pub fn listed(target: &str, all: &[Unsupported]) -> String {
     let lines: Vec<String> = all.iter().map(|it| format!("  {it}")).collect();
-    let things = groundtruth::explain::count(all.len(), "thing");
+    let things = text::brief::count(all.len(), "thing");
     format!("{things} in this scene cannot be said to {target}:\n{}", lines.join("\n"))
 }
 

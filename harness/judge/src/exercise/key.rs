@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::Path;
 
-use groundtruth::explain::{self, PixelExplanation};
+use explain::PixelExplanation;
 use groundtruth::world::{DEFAULT_SEED, World};
 use text::document::*;
 use text::html::{CARD, page};

@@ -113,7 +113,7 @@ impl ObservedSurface {
 fn radius(point: &ShadingPoint<'_>) -> Option<f64> {
     /// Of the box, relative: it may be rounded outwards.
     const ROUNDING: f64 = 1e-6;
-    let (bounds, surface) = (point.hit.object.bounds(), &point.hit.surface);
+    let (bounds, surface) = (point.hit.object.shape.bounds(), &point.hit.surface);
     let radius = 0.5 * bounds.extent().max_abs();
     let off = (surface.point - bounds.center()) - radius * Vector::from(surface.normal);
     (off.max_abs() < ROUNDING * radius).then_some(radius)

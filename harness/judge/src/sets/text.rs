@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use groundtruth::explain::count;
+use text::brief::count;
 
 use super::evidence::Reason;
 use super::{AreaDifference, AreaMeans, Method, Odd, SetsDecision, SetsVerdict};

@@ -1,6 +1,6 @@
 //! Pictures that cannot be judged.
 
-use groundtruth::explain::count;
+use text::brief::count;
 
 use pictures::compare::Picture;
 

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use groundtruth::explain::{brief, count};
 use serde::Serialize;
+use text::brief::{brief, count};
 
 use pictures::compare::Picture;
 

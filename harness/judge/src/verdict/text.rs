@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use groundtruth::explain::count;
+use text::brief::count;
 
 use super::verdict::{DecidedBy, DifferingRegion, Explanation, Verdict};
 use super::{Cause, Causes, Decision, Means, Nearest, Place, Relative};

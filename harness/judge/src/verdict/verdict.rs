@@ -1,7 +1,7 @@
 //! What is said of a picture, as data.
 
-use groundtruth::explain::count;
 use serde::Serialize;
+use text::brief::count;
 
 use pictures::compare::Affected;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::explain::{self, RecordedRay};
+use explain::RecordedRay;
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;

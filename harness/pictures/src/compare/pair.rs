@@ -1,9 +1,9 @@
 //! Two pictures of one size on an HTML page: side by side, flip, difference in three scales, swipe, and
 //! the worst pixel of each region.
 
-use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
+use text::brief::count;
 
 use super::differences::{Differences, NOT_A_NUMBER};
 use super::{Comparison, Picture, Region};

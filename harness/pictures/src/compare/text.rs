@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{Affected, Comparison, Decoded, Picture, Region, Unusual, is_equal};
-use groundtruth::explain::count;
+use text::brief::count;
 use text::digits::{short, three};
 use text::percent;
 

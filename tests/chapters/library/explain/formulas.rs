@@ -1,9 +1,9 @@
 //! The formula of each term, with its numbers.
 
-use groundtruth::explain::{Formula, MISTAKEN, RecordedRay};
+use explain::{Formula, MISTAKEN, RecordedRay, RecordedTerm};
 use groundtruth::lobes::Lobe;
 use groundtruth::math::power;
-use groundtruth::trace::{RecordedTerm, TermSource};
+use groundtruth::trace::TermSource;
 
 use crate::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Paths: the densities and MIS shares of each bounce; its lines.
 
-use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row};
+use explain::{Outline, RecordedRay, RecordedTerm, Row};
 use groundtruth::shapes::Sampling;
 use groundtruth::trace::TermSource;
 

@@ -2,9 +2,8 @@
 
 use std::iter::successors;
 
-use groundtruth::explain::RecordedRay;
+use explain::{RecordedRay, RecordedTerm};
 use groundtruth::math::sin_cos;
-use groundtruth::trace::RecordedTerm;
 use groundtruth::world::from_toml;
 
 use super::{UNDER_WATER, all, nested_glass_of};

@@ -1,9 +1,10 @@
 //! What each light and each lobe adds to a pixel.
 
-use groundtruth::explain::{RecordedRay, RecordedTerm, Source, SourceExplanation, TooManyRays};
+use explain::{RecordedRay, RecordedTerm, Source, SourceExplanation};
 use groundtruth::filters::Mitchell;
 use groundtruth::materials::Kind;
 use groundtruth::trace::TermSource;
+use groundtruth::trace::TooManyRays;
 
 use super::paths::room;
 use crate::prelude::*;

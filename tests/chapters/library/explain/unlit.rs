@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use groundtruth::explain::RecordedRay;
-use groundtruth::lights::{Spot, Unlit};
+use explain::{RecordedRay, Unlit};
+use groundtruth::lights::Spot;
 use groundtruth::math::sin_cos;
 use groundtruth::shapes::Sampling;
 use serde::Deserialize;

@@ -105,7 +105,7 @@ impl Writer<'_> {
             let is_of = |object: &&PlacedObject| {
                 parts.iter().any(|part| part.object == object.index as usize)
             };
-            boxes.extend(world.objects().iter().filter(is_of).map(|it| (body, it.bounds())));
+            boxes.extend(world.objects().iter().filter(is_of).map(|it| (body, it.shape.bounds())));
         }
         let scales_radiance = self.scene.transparency.scales_radiance;
         let mut walk = Walk::new(boxes, scales_radiance);

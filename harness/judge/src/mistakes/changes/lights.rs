@@ -8,7 +8,7 @@ use std::sync::Arc;
 use groundtruth::invalid::LENGTHS;
 use groundtruth::kinds::Resources;
 use groundtruth::lights::{
-    AmbientOccluder, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
+    AmbientOccluder, Kind, Light, LightContext, LightSample, Segment, Target,
 };
 use groundtruth::math::{Frame, Point, Vector, maps};
 use groundtruth::scene::{Intersect, Scene};
@@ -119,7 +119,6 @@ impl<F: Fn(&LightContext, LightSample) -> LightSample + Send + Sync> Light for C
         fn is_ambient(&self) -> bool;
         fn object(&self) -> Option<&str>;
         fn is_sky(&self) -> bool;
-        fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit;
         fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64;
     }
 }

@@ -3,39 +3,16 @@
 use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
+use groundtruth::lobes::Lobe;
+use groundtruth::printable::name;
+use groundtruth::rgb::Rgb;
+use groundtruth::textures::Texel;
+use groundtruth::trace::{Outcome, RayKind, TermSource};
+use text::brief::{brief, count, short};
+
+use super::optics::Optics;
+use super::tree::{RecordedHit, RecordedRay, RecordedTerm, RecordedTexture};
 use super::unlit;
-use crate::lobes::Lobe;
-use crate::rgb::Rgb;
-use crate::textures::Texel;
-use crate::trace::{
-    Optics, Outcome, RayKind, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture, TermSource,
-};
-use formats::printable::name;
-
-/// A colour as `(0.12, 0.03, 0.03)`, a grey as `0.5`, shortened for people.
-pub fn short(color: Rgb) -> String {
-    let [r, g, b] = color.to_array().map(brief);
-    if color == Rgb::grey(color.r) { r } else { format!("({r}, {g}, {b})") }
-}
-
-/// Three significant digits, or so.
-pub fn brief(x: f64) -> String {
-    match x.abs() {
-        0.0 => "0".to_owned(),
-        a if (1e-3..1e4).contains(&a) => format!("{}", (x * 1e3).round() / 1e3),
-        _ => format!("{x:.2e}"),
-    }
-}
-
-/// `83 %`, `0.4 %`.
-pub fn percent(share: f64) -> String {
-    match 100.0 * share {
-        0.0 => "0 %".to_owned(),
-        p if p.abs() < 0.05 => "< 0.1 %".to_owned(),
-        p if p.abs() < 9.95 => format!("{p:.1} %"),
-        p => format!("{p:.0} %"),
-    }
-}
 
 /// The name of a light or an object, if there is one, in quotes.
 pub fn quoted(known: &Option<Arc<str>>) -> String {
@@ -48,11 +25,6 @@ pub fn unblocked(boundaries: u32) -> String {
         0 => "unblocked".to_owned(),
         n => format!("straight through {}", count(n as usize, "transparent surface")),
     }
-}
-
-/// `1 ray`, `2 rays`.
-pub fn count(number: usize, thing: &str) -> String {
-    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
 impl RecordedRay {

@@ -1,9 +1,9 @@
 //! Sentences about what a tracer leaves out.
 
-use crate::lights::Light;
-use crate::trace::{Direct, Scatter, Strategy};
-use crate::world::{PlacedLight, PlacedMaterial, World};
-use formats::printable;
+use groundtruth::lights::Light;
+use groundtruth::printable;
+use groundtruth::trace::{Direct, Scatter, Strategy};
+use groundtruth::world::{PlacedLight, PlacedMaterial, World};
 
 /// A sentence for the user about each light that the world's tracer leaves out, about each mirror
 /// and glass that it does not trace, and about objects without any light.

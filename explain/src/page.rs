@@ -2,12 +2,13 @@
 
 use std::fmt::{self, Write as _};
 
-use super::text::{brief, count, percent, short};
+use groundtruth::printable::{self, name};
+use text::brief::{brief, count, percent, short};
+
 use super::{
-    Outline, PixelExplanation, Row, SampleExplanation, Source, SourceExplanation, Sources,
+    Outline, PixelExplanation, RecordedRay, Row, SampleExplanation, Source, SourceExplanation,
+    Sources,
 };
-use crate::trace::RecordedRay;
-use formats::printable::{self, name};
 
 /// What of a tree is shown.
 #[derive(Clone, Copy)]

@@ -1,12 +1,11 @@
 //! Reflection and transmission at a boundary between two media, in the terms of chapters 27 and 28.
 
+use groundtruth::lobes::{Lobes, NormalKind, refract};
+use groundtruth::materials::Medium;
+use groundtruth::math::{Normal, atan2, to_degrees};
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::ShadingPoint;
 use serde::Serialize;
-
-use super::ShadingPoint;
-use crate::lobes::{Lobes, NormalKind, refract};
-use crate::materials::Medium;
-use crate::math::{Normal, atan2, to_degrees};
-use crate::rgb::Rgb;
 
 /// Refraction at a hit, for the ray that met it. Angles are in degrees from the true normal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -34,7 +33,7 @@ pub struct Optics {
 
 impl Optics {
     /// The optics of a hit whose lobes refract; `None` for opaque surfaces.
-    pub(super) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Option<Self> {
+    pub(crate) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Option<Self> {
         let wo = point.frame(NormalKind::Geometry).to_local(point.wo);
         let eta = lobes.iter().find_map(|(lobe, _)| lobe.relative_eta(wo))?;
         let front = if wo.z() < 0.0 { -Normal::Z } else { Normal::Z };

@@ -6,32 +6,38 @@
 //! anything.
 
 mod formula;
+mod lines;
 mod omissions;
+mod optics;
 mod outline;
 mod page;
 mod sources;
-mod text;
+mod tree;
 mod unlit;
+mod unsent;
 mod why_unlit;
+mod written;
 
 use serde::Serialize;
 
-use crate::render::{self, CameraSample, Renderer};
-use crate::rgb::Rgb;
-use crate::scene::Scene;
-use crate::trace::{RayBudget, RayTree, TermSource};
-use crate::world::World;
+use groundtruth::render::{self, CameraSample, Renderer};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::trace::{RayBudget, TermSource, TooManyRays};
+use groundtruth::world::World;
 use sources::{SampleSums, SourceRecorder};
 
-pub use crate::trace::{RecordedHit, RecordedRay, RecordedTerm, TooManyRays, UnlitLight};
 pub use formula::{Formula, MISTAKEN};
+pub use lines::{quoted, unblocked};
 pub use omissions::omissions;
+pub use optics::Optics;
 pub use outline::{Outline, Row};
 pub use page::table;
 pub use sources::{Source, SourceExplanation, Sources, Sums};
-pub use text::{brief, count, percent, quoted, short, unblocked};
-pub use unlit::lines;
+pub use tree::{RayTree, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture};
+pub use unlit::{Unlit, UnlitLight, lines};
 pub use why_unlit::add_unlit;
+pub use written::Factor;
 
 /// The largest number of rays of a pixel that is explained: some seconds.
 const MAX_RAYS: u64 = 1 << 25;
@@ -168,7 +174,7 @@ fn explained(
     };
     let mut ray = tree.into_root();
     if let Some(root) = &mut ray {
-        add_unlit(world, world.draws(pixel, index), root);
+        add_unlit((world, &scene.lights), world.draws(pixel, index), root);
         let weight = Rgb::grey(weight);
         Explaining { scene, sample: weight * root.radiance }.explain(root, weight);
     }

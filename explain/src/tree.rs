@@ -2,18 +2,18 @@
 
 use std::sync::Arc;
 
+use groundtruth::lobes::Lobes;
+use groundtruth::materials::TexturedField;
+use groundtruth::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::PartPath;
+use groundtruth::textures::Texel;
+use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource};
+use groundtruth::world::{Hit, Names, World};
 use serde::Serialize;
 
-use super::recorder::{Outcome, RayKind, Recorder, Term, TermSource};
-use super::{Optics, ShadingPoint};
-use crate::lights::Unlit;
-use crate::lobes::Lobes;
-use crate::materials::TexturedField;
-use crate::math::{Normal, Point, Ray, Vector, atan2, to_degrees};
-use crate::rgb::Rgb;
-use crate::shapes::PartPath;
-use crate::textures::Texel;
-use crate::world::{Hit, Names, World};
+use super::optics::Optics;
+use super::unlit::UnlitLight;
 
 /// Records all rays of a sample.
 #[derive(Clone, Debug)]
@@ -168,16 +168,6 @@ pub struct RecordedTerm {
     /// The number of the ray that the light comes along, if it took one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ray: Option<usize>,
-}
-
-/// A light that adds nothing at a hit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct UnlitLight {
-    /// Its name.
-    pub light: Arc<str>,
-    /// The reason.
-    #[serde(flatten)]
-    pub reason: Unlit,
 }
 
 impl RecordedHit {

@@ -2,9 +2,12 @@
 
 use std::fmt;
 
-use crate::lobes::{Factor, Lobe, Scattered};
-use crate::rgb::Rgb;
-use crate::trace::{RecordedRay, RecordedTerm, TermSource};
+use groundtruth::lobes::Lobe;
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::TermSource;
+
+use super::tree::{RecordedRay, RecordedTerm};
+use super::written::{Factor, Scattered, written};
 
 /// A term as a product: `k_d c_d / π · cos θ_i · L_i`.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +74,7 @@ impl RecordedRay {
         let arriving = |symbol| Factor::color(symbol, term.arriving);
         let formula = match &term.source {
             TermSource::Direct { lobe, f, cos_i, pdf, mis, .. } => {
-                let mut factors = lobe.written(Scattered::Lit(*f));
+                let mut factors = written(lobe, Scattered::Lit(*f));
                 factors.push(Factor::number("cos θ_i", *cos_i));
                 factors.extend(pdf.map(|pdf| Factor::divisor("p", pdf)));
                 factors.extend(mis.map(|mis| Factor::number("w", mis)));
@@ -80,10 +83,13 @@ impl RecordedRay {
             }
             TermSource::Traced { lobe, pdf, lobe_probability, survival } => {
                 let drawn = (lobe_probability * survival) * term.weight;
-                let mut factors = lobe.written(match pdf {
-                    Some(pdf) => Scattered::Drawn(*pdf * drawn),
-                    None => Scattered::Single { weight: drawn, eta: self.scaling(lobe, drawn) },
-                });
+                let mut factors = written(
+                    lobe,
+                    match pdf {
+                        Some(pdf) => Scattered::Drawn(*pdf * drawn),
+                        None => Scattered::Single { weight: drawn, eta: self.scaling(lobe, drawn) },
+                    },
+                );
                 let divisors = [("P", *lobe_probability), ("q", *survival)];
                 let divisors = divisors.into_iter().filter(|(_, value)| *value != 1.0);
                 let divisors = pdf.map(|pdf| ("p", pdf)).into_iter().chain(divisors);

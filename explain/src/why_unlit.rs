@@ -3,28 +3,41 @@
 
 use std::sync::Arc;
 
-use super::{RecordedRay, RecordedTerm, UnlitLight};
-use crate::lights::{Light, LightSample, Unlit};
-use crate::lobes::{Bsdf, Lit};
-use crate::materials::Response;
-use crate::math::Span;
-use crate::rgb::Rgb;
-use crate::samplers::{Draws, PathKey};
-use crate::trace::{Direct, ShadingPoint, Strategy, TermSource};
-use crate::world::{PlacedLight, World};
+use groundtruth::lights::{Light, LightSample};
+use groundtruth::lobes::{Bsdf, Lit};
+use groundtruth::materials::Response;
+use groundtruth::math::Span;
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{Draws, PathKey};
+use groundtruth::scene;
+use groundtruth::trace::{Direct, ShadingPoint, Strategy, TermSource};
+use groundtruth::world::{PlacedLight, World};
+
+use super::unsent::why_unsent;
+use super::{RecordedRay, RecordedTerm, Unlit, UnlitLight};
 
 /// Adds to each hit of a recorded sample of this world the lights that add nothing there, in the
-/// scene's order.
-pub fn add_unlit(world: &World, draws: Draws<'_>, root: &mut RecordedRay) {
-    ask(world, draws, root, PathKey::CAMERA);
+/// scene's order. `lights` are those of its scene; of one that is not among them
+/// [`Unlit::NoDirection`] stands for all reasons why it has no sample.
+pub fn add_unlit(
+    (world, lights): (&World, &[scene::Light]),
+    draws: Draws<'_>,
+    root: &mut RecordedRay,
+) {
+    ask((world, lights), draws, root, PathKey::CAMERA);
 }
 
-fn ask(world: &World, draws: Draws<'_>, ray: &mut RecordedRay, path: PathKey) {
+fn ask(
+    (world, lights): (&World, &[scene::Light]),
+    draws: Draws<'_>,
+    ray: &mut RecordedRay,
+    path: PathKey,
+) {
     let RecordedRay { terms, children, .. } = ray;
     for term in terms.iter() {
         let child = children.iter_mut().find(|child| term.ray == Some(child.number));
         if let (TermSource::Traced { lobe, .. }, Some(child)) = (&term.source, child) {
-            ask(world, draws, child, path.then(lobe.branch()));
+            ask((world, lights), draws, child, path.then(lobe.branch()));
         }
     }
     let hit = ray.hit.as_ref().and_then(|_| world.hit(&ray.ray, Span::AHEAD));
@@ -34,7 +47,8 @@ fn ask(world: &World, draws: Draws<'_>, ray: &mut RecordedRay, path: PathKey) {
     hit.material.recipe.respond(&hit.texture_point(), point.cos_o, &mut response);
     let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
     let (strategy, depth) = (Strategy::of(world.tracer), ray.depth);
-    let vertex = Vertex { strategy, draws, path, depth, point, ambient: response.ambient, bsdf };
+    let ambient = response.ambient;
+    let vertex = Vertex { world, lights, strategy, draws, path, depth, point, ambient, bsdf };
     let unlit = (0..).zip(&world.names.lights).filter_map(|(index, name)| {
         let reason = match world.lights.iter().find(|light| light.index == index) {
             Some(light) => vertex.reason(ray, light)?,
@@ -47,6 +61,9 @@ fn ask(world: &World, draws: Draws<'_>, ray: &mut RecordedRay, path: PathKey) {
 
 /// A hit as tracing met it.
 struct Vertex<'a> {
+    world: &'a World,
+    /// The scene's.
+    lights: &'a [scene::Light],
     strategy: Strategy,
     draws: Draws<'a>,
     path: PathKey,
@@ -112,7 +129,10 @@ impl Vertex<'_> {
     fn sample(&self, light: &PlacedLight) -> Result<LightSample, Unlit> {
         let from = self.point.light_context();
         let u = light.numbers(self.path, |purpose| self.draws.draw(purpose));
-        light.light.sample(&from, &u).ok_or_else(|| light.light.unlit(&from, &u))
+        light.light.sample(&from, &u).ok_or_else(|| match self.lights.get(light.index as usize) {
+            Some(light) => why_unsent(self.world, &light.source, &from, &u),
+            None => Unlit::NoDirection,
+        })
     }
 
     /// Why samples of lights meet no lobe of the surface.

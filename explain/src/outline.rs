@@ -3,7 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::trace::{RayKind, RecordedRay, RecordedTerm};
+use groundtruth::trace::RayKind;
+
+use super::tree::{RecordedRay, RecordedTerm};
 
 /// Smaller trees are shown whole.
 const SMALL_TREE: usize = 12;

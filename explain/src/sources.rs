@@ -5,13 +5,12 @@
 
 use std::sync::Arc;
 
+use groundtruth::math::Ray;
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::{Outcome, RayKind, Recorder, Term, TermSource};
+use groundtruth::world::{Names, World};
 use serde::Serialize;
-
-use crate::math::Ray;
-use crate::render;
-use crate::rgb::Rgb;
-use crate::trace::{Outcome, RayKind, Recorder, Term, TermSource};
-use crate::world::{Names, World};
 
 /// The contributions of the sources of light to a pixel. The means of each list add up to the
 /// pixel; the largest standard deviation comes first.
