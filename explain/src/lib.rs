@@ -5,6 +5,7 @@
 //! over all samples. The command line prints them and the inspector shows them; neither computes
 //! anything.
 
+mod excess;
 mod formula;
 mod lines;
 mod omissions;
@@ -103,10 +104,10 @@ pub struct SampleExplanation {
     pub ray: Option<RecordedRay>,
 }
 
-/// Sentences for the user: what was ignored or clamped in the scene's files, and what the tracer
-/// leaves out.
-pub fn notes(world: &World) -> Vec<String> {
-    world.notes.iter().cloned().chain(omissions(world)).collect()
+/// Sentences for the user: what was ignored or clamped in the scene's files, which materials
+/// reflect more light than they receive, and what the tracer leaves out.
+pub fn notes(scene: &Scene, world: &World) -> Vec<String> {
+    world.notes.iter().cloned().chain(excess::excess(scene)).chain(omissions(world)).collect()
 }
 
 /// Explains a pixel (x right, y down): one of its samples, or all.
@@ -142,7 +143,7 @@ pub fn pixel(
     let (radiances, sources) = sums.explained(world);
     Ok(PixelExplanation {
         pixel,
-        notes: notes(world),
+        notes: notes(scene, world),
         samples_per_pixel: world.samples_per_pixel(),
         exposure_time: world.view.exposure_time,
         samples,

@@ -106,7 +106,9 @@ impl Render {
         let crop = self.crop.map_or(Ok(whole), |crop| crop.inside(world))?;
         let content = self.layer.content(world, crop, (&self.output, files.format))?;
         let canvas = Arc::new(Canvas::cropped(crop));
-        explain::notes(world).iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
+        explain::notes(scene, world)
+            .iter()
+            .for_each(|note| eprintln!("note: {}", printable::text(note)));
         if content.needs_rays() {
             let rays = RaysPerSample::measured(world, MAX_COUNTED);
             let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());

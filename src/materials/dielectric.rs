@@ -2,8 +2,8 @@
 
 use super::phong::{self, Phong};
 use super::{
-    Boundary, Made, Material, Medium, Reflectance, Response, Specification, TexturedField, made,
-    reflectances_within, within,
+    Boundary, Made, Material, Medium, Response, Specification, TexturedField, made,
+    within,
 };
 use crate::kinds::Resources;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
@@ -58,10 +58,6 @@ impl Material for DielectricMaterial {
 
     fn boundary(&self) -> Option<Boundary> {
         Some(self.boundary)
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        reflectances_within("phong", &self.phong).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

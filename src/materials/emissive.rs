@@ -2,7 +2,7 @@
 
 use super::matte::{self, Matte};
 use super::{
-    Made, Material, Reflectance, Response, Specification, TexturedField, made, reflectances_within,
+    Made, Material, Response, Specification, TexturedField, made, 
     textured, within,
 };
 use crate::kinds::{self, Resources};
@@ -59,10 +59,6 @@ impl Material for Shining {
 
     fn emission(&self) -> Option<&Emission> {
         Some(&self.emission)
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        self.matte.iter().flat_map(|matte| reflectances_within("matte", matte)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

@@ -1,7 +1,7 @@
 //! The matte material (Suffern, ch. 14).
 
 use super::{
-    Made, Material, Reflectance, Response, Specification, TexturedField, constant, made, textured,
+    Made, Material, Response, Specification, TexturedField, made, textured,
 };
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
@@ -60,12 +60,6 @@ impl Material for MatteMaterial {
             let lobe = Lambertian { reflectance: kd * cd };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        let Self { ka, kd, cd } = self;
-        let shares = [("ka", ka), ("kd", kd)];
-        shares.into_iter().filter_map(|share| constant(share, ("cd", cd))).collect()
     }
 
     fn textures(&self, _: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

@@ -22,7 +22,7 @@ use crate::invalid::Invalid;
 use crate::kinds::Resources;
 use crate::lobes::{Lobes, check_exponent};
 use crate::rgb::Rgb;
-use crate::textures::{Amount, Color, Texture, TexturePoint, Value};
+use crate::textures::{Amount, Texture, TexturePoint, Value};
 
 pub use emission::Emission;
 pub use medium::{Boundary, Medium};
@@ -50,12 +50,6 @@ pub trait Material: Debug + Send + Sync {
         Vec::new()
     }
 
-    /// The shares of light that are the same at every point, as `("kd · cd", reflectance)`. Asked
-    /// once, for a note on those above 1.
-    fn reflectances(&self) -> Vec<Reflectance> {
-        Vec::new()
-    }
-
     /// Whether light passes through, so that the surface must know its inside.
     fn transmits(&self) -> bool {
         self.boundary().is_some()
@@ -65,29 +59,6 @@ pub trait Material: Debug + Send + Sync {
     fn needs_rays(&self) -> bool {
         self.transmits()
     }
-}
-
-/// The fields of a material whose product is a share of light, and that share.
-pub type Reflectance = (String, Rgb);
-
-/// The product of a share and a colour, if no texture is among them.
-fn constant(share: (&str, &Value), color: (&str, &Color)) -> Option<Reflectance> {
-    match (share.1, color.1) {
-        (Value::Plain(k), Color::Plain(c)) => Some((format!("{} · {}", share.0, color.0), *k * *c)),
-        _ => None,
-    }
-}
-
-/// The shares of a material that stands in a field of another.
-fn reflectances_within<'a>(
-    field: &'a str,
-    material: &dyn Material,
-) -> impl Iterator<Item = Reflectance> + use<'a> {
-    let prefixed = move |(name, share): Reflectance| {
-        let names: Vec<String> = name.split(" · ").map(|name| format!("{field}.{name}")).collect();
-        (names.join(" · "), share)
-    };
-    material.reflectances().into_iter().map(prefixed)
 }
 
 /// A texture of a material, and the field it stands in.

@@ -2,7 +2,7 @@
 
 use super::matte::{self, Matte};
 use super::{
-    Made, Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
+    Made, Material, Response, Specification, TexturedField, built_exponent, 
     made, textured,
 };
 use crate::invalid::Invalid;
@@ -75,12 +75,6 @@ impl Material for PhongMaterial {
             let lobe = GlossySpecular { reflectance, exponent: self.exponent.at(at) };
             response.lobes.push((lobe.into(), NormalKind::Shading));
         }
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        let mut all = self.matte.reflectances();
-        all.extend(constant(("ks", &self.ks), ("cs", &self.cs)));
-        all
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

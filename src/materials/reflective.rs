@@ -2,8 +2,8 @@
 
 use super::phong::{self, Phong};
 use super::{
-    Made, Material, Reflectance, Response, Specification, TexturedField, constant, made,
-    reflectances_within, textured, within,
+    Made, Material, Response, Specification, TexturedField, made,
+    textured, within,
 };
 use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular};
@@ -55,11 +55,6 @@ impl Material for ReflectiveMaterial {
 
     fn needs_rays(&self) -> bool {
         true
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        let own = constant(("kr", &self.kr), ("cr", &self.cr));
-        own.into_iter().chain(reflectances_within("phong", &self.phong)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

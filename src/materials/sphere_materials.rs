@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    Kind, Made, Material, Reflectance, Response, Specification, TexturedField, made,
-    reflectances_within, within,
+    Kind, Made, Material, Response, Specification, TexturedField, made,
+    within,
 };
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
@@ -78,13 +78,6 @@ impl Material for SphereMaterialsMaterial {
 
     fn needs_rays(&self) -> bool {
         self.materials.iter().any(|material| material.needs_rays())
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        let of = |(i, material): (usize, &Arc<dyn Material>)| {
-            reflectances_within(&format!("materials[{i}]"), &**material).collect::<Vec<_>>()
-        };
-        self.materials.iter().enumerate().flat_map(of).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

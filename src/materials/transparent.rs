@@ -2,8 +2,8 @@
 
 use super::phong::{self, Phong};
 use super::{
-    Made, Material, Reflectance, Response, Specification, TexturedField, constant, made,
-    reflectances_within, textured, within,
+    Made, Material, Response, Specification, TexturedField, made,
+    textured, within,
 };
 use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
@@ -82,16 +82,6 @@ impl Material for TransparentMaterial {
 
     fn transmits(&self) -> bool {
         true
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        let reflected = constant(("kr", &self.kr), ("cr", &self.cr));
-        let refracted = match self.kt {
-            Value::Plain(kt) => Some(("kt".to_owned(), Rgb::grey(kt))),
-            Value::Textured(_) => None,
-        };
-        let own = reflected.into_iter().chain(refracted);
-        own.chain(reflectances_within("phong", &self.phong)).collect()
     }
 
     fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::placing::{placed_lights, placed_materials, placed_objects, reflectance_notes};
+use super::placing::{placed_lights, placed_materials, placed_objects};
 use super::{Names, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
@@ -64,8 +64,7 @@ impl World {
         check_view(&view, &scene.image)?;
         let materials = placed_materials(scene, &mut resources)?;
         let names = Arc::new(Names::of(scene));
-        let (mut objects, mut notes) = placed_objects(scene, resources, &materials, &names)?;
-        notes.extend(reflectance_notes(&materials));
+        let (mut objects, notes) = placed_objects(scene, resources, &materials, &names)?;
         let lights = placed_lights(scene, &background, &materials, &mut objects)?;
         let bounds: Vec<Aabb> = objects.iter().map(|object| object.shape.bounds()).collect();
         let all_cast_shadows = objects.iter().all(|object| object.casts_shadows)

@@ -51,8 +51,7 @@ pub struct World {
     pub lights: Vec<PlacedLight>,
     /// The scene's materials, in its order.
     pub materials: Vec<PlacedMaterial>,
-    /// What was ignored or clamped in the files that the scene names, and materials that reflect
-    /// more light than they receive, in sentences for the user.
+    /// What was ignored or clamped in the files that the scene names, in sentences for the user.
     pub notes: Vec<String>,
     /// The names of lights and objects, for those who record rays.
     pub names: Arc<Names>,

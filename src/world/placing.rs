@@ -124,23 +124,6 @@ pub(super) fn placed_materials(
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }
 
-/// For each material that reflects more light than it receives wherever it is met, a note that says
-/// so.
-pub(super) fn reflectance_notes(materials: &[PlacedMaterial]) -> Vec<String> {
-    let note = |material: &PlacedMaterial| {
-        let all = material.recipe.reflectances();
-        // half a millionth more is rounding of the numbers in the file
-        let (fields, share) = all.into_iter().find(|(_, share)| share.max() > 1.0 + 5e-7)?;
-        let name = &material.name;
-        let share = shown(share.max());
-        Some(format!(
-            "material \"{name}\": {fields} is up to {share}: more light leaves the surface than comes to it \
-             (1 is all of it; divide colours of 0 to 255 by 255)"
-        ))
-    };
-    materials.iter().filter_map(note).collect()
-}
-
 /// Refuses an epsilon that is no length, and one that nothing uses.
 fn check_epsilon(epsilon: Option<f64>, is_used: bool) -> Result<(), Invalid> {
     let Some(epsilon) = epsilon else { return Ok(()) };

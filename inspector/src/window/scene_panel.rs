@@ -53,7 +53,7 @@ impl ScenePanel {
                 undo.on_hover_text("The last change in this panel (Ctrl-Z; Ctrl-Y)").clicked();
         });
         let mut changed = self.settings.show(ui, wanted, seed);
-        for note in explain::notes(&rendering.world) {
+        for note in explain::notes(&rendering.built.scene, &rendering.world) {
             ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
         }
         changed |= self.numbers.show(ui, (rendering.generation, &rendering.built.scene), wanted);

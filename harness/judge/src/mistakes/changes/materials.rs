@@ -6,9 +6,7 @@ use std::sync::Arc;
 use groundtruth::bumps::Bump;
 use groundtruth::kinds::{Custom, Resources};
 use groundtruth::lobes::Lobe;
-use groundtruth::materials::{
-    Boundary, Emission, Kind, Material, Reflectance, Response, TexturedField,
-};
+use groundtruth::materials::{Boundary, Emission, Kind, Material, Response, TexturedField};
 use groundtruth::math::{Normal, Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -63,7 +61,6 @@ impl Material for Changed {
         fn emission(&self) -> Option<&Emission>;
         fn boundary(&self) -> Option<Boundary>;
         fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>>;
-        fn reflectances(&self) -> Vec<Reflectance>;
         fn transmits(&self) -> bool;
         fn needs_rays(&self) -> bool;
     }
