@@ -1,7 +1,8 @@
 //! `groundtruth kinds`.
 
 use clap::Args;
-use groundtruth::scene::{self, reference};
+use exchange::reference;
+use groundtruth::scene;
 
 use super::{Outcome, print};
 

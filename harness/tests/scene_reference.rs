@@ -6,9 +6,10 @@ use std::fmt::Debug;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use exchange::reference;
 use groundtruth::kinds::Entry;
+use groundtruth::scene::Scene;
 use groundtruth::scene::vocabulary::Definition;
-use groundtruth::scene::{Scene, reference};
 use groundtruth::textures;
 use groundtruth::{bumps, cameras, filters, lights, materials, samplers, scene, shapes, world};
 use serde::Serialize;

@@ -8,7 +8,6 @@ mod files;
 mod intersect;
 mod locations;
 mod mismatch;
-pub mod reference;
 mod schema;
 mod syntax;
 mod tracer;

@@ -1,6 +1,6 @@
 //! What a scene file can say, for people: each topic is listed and found. The page itself is held by `scene_reference` of `harness`.
 
-use groundtruth::scene::reference;
+use exchange::reference;
 
 /// Golden: a line for each topic: a heading with its place for a list, otherwise chapter, name and first sentence.
 #[test]

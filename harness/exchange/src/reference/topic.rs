@@ -1,6 +1,7 @@
 //! The topics, and the text of each.
 
-use super::super::vocabulary::{Choice, Definition, Field};
+use groundtruth::scene::vocabulary::{Choice, Definition, Field};
+
 use super::example::{example_of_kind, example_of_table, home_of, toml};
 
 /// Something that can be looked up: a plain value, a table, a list of kinds, or a kind in its list.

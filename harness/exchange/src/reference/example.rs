@@ -4,13 +4,12 @@
 use std::collections::VecDeque;
 use std::sync::LazyLock;
 
+use groundtruth::scene::vocabulary::{Choice, Definition};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::super::vocabulary::{Choice, Definition};
-
 /// The text of scenes/first.toml.
-pub(super) const FIRST_SCENE: &str = include_str!("../../../scenes/first.toml");
+pub(super) const FIRST_SCENE: &str = include_str!("../../../../scenes/first.toml");
 
 /// Longer lines become a table of their own.
 const LONGEST_LINE: usize = 100;
