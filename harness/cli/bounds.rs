@@ -37,7 +37,7 @@ impl Bounds {
                 let bounds = words(&object.shape.bounds());
                 writeln!(text, "# {}: {bounds}", printable::name(&self.scene))?;
             }
-            return print(&(text + "\n" + &scene::to_toml(&scene)?));
+            return print(&(text + "\n" + &scenefile::to_toml(&scene)?));
         }
         let (scene, world) = SceneArguments::of_name(&self.scene).load()?;
         let mut text = "# the box around each object\n".to_owned();

@@ -97,8 +97,10 @@ impl Compare {
                 Side::Picture(picture) => pictures.push(picture),
                 Side::Scene(opened) => {
                     let folder = film::folder_of(Path::new(name));
-                    let named: Vec<_> =
-                        opened.scene.files().iter().map(|file| folder.join(file)).collect();
+                    let named: Vec<_> = scenefile::files(&opened.scene)
+                        .iter()
+                        .map(|file| folder.join(file))
+                        .collect();
                     output::check_distinct(
                         self.output.as_deref(),
                         named.iter().map(|file| &**file),

@@ -148,6 +148,9 @@ fn of_task(number: usize, task: &Task) -> Result<[File; 2], Box<dyn Error>> {
     let picture = film::encode(&task.pictures.wrong, &scene.image.tone(), Format::Png, &made)?;
     Ok([
         (PathBuf::from(format!("class/{number}.png")), picture),
-        (PathBuf::from(format!("class/scenes/{number}.toml")), scene::to_toml(scene)?.into_bytes()),
+        (
+            PathBuf::from(format!("class/scenes/{number}.toml")),
+            scenefile::to_toml(scene)?.into_bytes(),
+        ),
     ])
 }

@@ -70,9 +70,9 @@ impl Export {
         }
         if let Some(folder) = self.scene.folder() {
             let folder = self.relative_to_output(folder)?;
-            scene = scene.files_from(&folder)?;
+            scene = scenefile::files_from(&scene, &folder)?;
         }
-        let text = scene::to_toml(&scene)?;
+        let text = scenefile::to_toml(&scene)?;
         output::check_distinct(self.file(), inputs.iter().map(PathBuf::as_path))?;
         self.write(&text)
     }

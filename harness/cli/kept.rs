@@ -139,7 +139,7 @@ pub fn test(
     let text = match arguments.folder() {
         Some(folder) => {
             let folder = output::folder_seen_from(folder, path)?;
-            scene::to_toml(&reduced.scene.files_from(&folder)?)?
+            scenefile::to_toml(&scenefile::files_from(&reduced.scene, &folder)?)?
         }
         None => reduced.toml.clone(),
     };
@@ -160,7 +160,7 @@ pub fn test(
 
 fn rust(arguments: &SceneArguments, reduced: &ReducedScene) -> String {
     let file = match arguments.folder() {
-        Some(_) if arguments.name() != scene::STANDARD_INPUT => PathBuf::from(arguments.name()),
+        Some(_) if arguments.name() != scenefile::STANDARD_INPUT => PathBuf::from(arguments.name()),
         _ => PathBuf::from("scene.toml"),
     };
     reduced.rust_test(arguments.name(), &file)

@@ -24,7 +24,9 @@ impl Kinds {
         match &self.name {
             Some(name) => print(&reference::about(name)?),
             None if self.page => print(&reference::page()),
-            None if self.schema => print(&(serde_json::to_string_pretty(scene::schema())? + "\n")),
+            None if self.schema => {
+                print(&(serde_json::to_string_pretty(scenefile::schema())? + "\n"))
+            }
             None => print(&reference::overview()),
         }
     }

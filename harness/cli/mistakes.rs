@@ -99,7 +99,7 @@ fn of_scene(name: &str) -> Result<String, Box<dyn Error>> {
     let shown: Vec<&Mistake> = match gallery::find(name) {
         Some(_) => mistakes::shown_by(name).iter().map(|pair| pair.mistake).collect(),
         None if mistakes::is_file(name) => {
-            let (scene, _) = scene::open(Path::new(name))?;
+            let (scene, _) = scenefile::open(Path::new(name))?;
             let folder = film::folder_of(Path::new(name));
             let shown = table::shown(&mistakes::all(), &scene, folder)?;
             shown.into_iter().map(|(mistake, _)| mistake).collect()

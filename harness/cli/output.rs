@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use groundtruth::film::{self, Format};
 use groundtruth::printable;
-use groundtruth::scene::STANDARD_INPUT;
+use scenefile::STANDARD_INPUT;
 
 /// Whether a path means the standard output.
 pub fn is_standard(path: &Path) -> bool {

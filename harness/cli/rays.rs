@@ -148,7 +148,7 @@ fn named_scene(name: &str, folder: &Path) -> Result<(Scene, World), String> {
     if !file.exists() || file.extension().is_none_or(|end| end != "toml") {
         return Err(gallery::unknown(name));
     }
-    world::read(&file).map_err(|e| e.to_string())
+    scenefile::read(&file).map_err(|e| e.to_string())
 }
 
 fn language(name: &str) -> Result<WriterLanguage, String> {

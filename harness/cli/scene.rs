@@ -9,9 +9,10 @@ use clap::Args;
 use groundtruth::film::{self, Provenance};
 use groundtruth::render::Crop;
 use groundtruth::samplers;
-use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
+use groundtruth::scene::{self, Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
 use pictures::compare;
+use scenefile::{SceneError, Source};
 
 use super::numbers::whole;
 
@@ -122,7 +123,7 @@ impl SceneArguments {
     /// The files that a scene of these arguments is read from: its own and those that it names.
     pub fn files_of(&self, scene: &Scene) -> Vec<PathBuf> {
         let Some(folder) = self.folder() else { return Vec::new() };
-        let named = scene.files().into_iter().map(|name| folder.join(name));
+        let named = scenefile::files(scene).into_iter().map(|name| folder.join(name));
         named.chain([PathBuf::from(&self.scene)]).collect()
     }
 
@@ -190,18 +191,18 @@ impl OpenedScene {
             return Ok(Self { scene: (entry.build)(), source: None });
         }
         let path = Path::new(name);
-        if !path.exists() && name != scene::STANDARD_INPUT {
+        if !path.exists() && name != scenefile::STANDARD_INPUT {
             return Err(gallery::unknown(name).into());
         }
-        let (scene, source) = scene::open(path)?;
+        let (scene, source) = scenefile::open(path)?;
         Ok(Self { scene, source: Some(source) })
     }
 
     /// The world of the scene, perhaps changed, with this seed.
     pub fn world(&self, scene: &Scene, seed: u64) -> Result<World, SceneError> {
         match &self.source {
-            Some(source) => World::of_source(scene, source, seed),
-            None => World::build_seeded(scene, Path::new(""), seed),
+            Some(source) => source.world(scene, seed),
+            None => Ok(World::build_seeded(scene, Path::new(""), seed)?),
         }
     }
 }

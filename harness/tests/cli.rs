@@ -15,7 +15,7 @@ use rayon::prelude::*;
 fn an_exported_scene_renders_the_same_bits() {
     let scenes: Vec<gallery::Entry> = gallery::scenes().collect();
     scenes.into_par_iter().for_each(|entry| {
-        let exported = scene::to_toml(&(entry.build)()).expect("plain data");
+        let exported = scenefile::to_toml(&(entry.build)()).expect("plain data");
         let exported: Scene = toml::from_str(&exported).expect("it is a scene");
         let [original, read] = [(entry.build)(), exported].map(|mut scene| {
             scene.image.resize(12, 8);

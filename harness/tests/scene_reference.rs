@@ -9,9 +9,9 @@ use std::sync::LazyLock;
 use exchange::reference;
 use groundtruth::kinds::Entry;
 use groundtruth::scene::Scene;
-use groundtruth::scene::vocabulary::Definition;
 use groundtruth::textures;
 use groundtruth::{bumps, cameras, filters, lights, materials, samplers, scene, shapes, world};
+use scenefile::vocabulary::Definition;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -45,11 +45,11 @@ fn for_each_specimen(mut check: impl FnMut(&'static str, Value, &dyn Fn(Value) -
 }
 
 fn validator(definition: Option<&str>) -> jsonschema::Validator {
-    let mut schema = scene::schema().clone();
+    let mut schema = scenefile::schema().clone();
     if let Some(name) = definition {
         let reference = format!("#/definitions/{name}");
         schema = json!({ "$ref": reference, "definitions": schema["definitions"] });
-        schema["$schema"] = scene::schema()["$schema"].clone();
+        schema["$schema"] = scenefile::schema()["$schema"].clone();
     }
     jsonschema::validator_for(&schema).expect("the schema is a schema")
 }
@@ -110,7 +110,9 @@ fn no_specimen_with_a_misspelt_field_conforms_to_the_schema() {
 fn every_gallery_scene_and_commented_scene_conforms_to_the_schema() {
     let validator = validator(None);
     let mut scenes: Vec<(String, String)> = gallery::scenes()
-        .map(|it| (it.name.to_owned(), scene::to_toml(&(it.build)()).expect("it is plain data")))
+        .map(|it| {
+            (it.name.to_owned(), scenefile::to_toml(&(it.build)()).expect("it is plain data"))
+        })
         .collect();
     let files = std::fs::read_dir(root().join("scenes")).expect("there are scenes");
     for path in files.map(|file| file.expect("readable").path()) {
@@ -203,7 +205,7 @@ fn every_example_of_the_page_is_part_of_a_scene_that_is_read() {
             }
         }
         let text = toml::to_string(&whole).expect("it can be written");
-        let read = world::from_toml(&text, &root().join("scenes/example.toml"));
+        let read = scenefile::from_toml(&text, &root().join("scenes/example.toml"));
         if let Err(error) = read {
             panic!("{error}\n{example}");
         }
@@ -263,7 +265,7 @@ fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
     for (part, replacement, end) in POINTERS {
         assert!(first.contains(part), "{part} is in the scene");
         let text = first.replacen(part, replacement, 1);
-        let error = match world::from_toml(&text, Path::new("first.toml")) {
+        let error = match scenefile::from_toml(&text, Path::new("first.toml")) {
             Err(error) => error.to_string(),
             Ok(_) => panic!("{part} -> {replacement} is read"),
         };
@@ -271,7 +273,7 @@ fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
         let topic = error.split("groundtruth kinds ").nth(1).and_then(|it| it.split('`').next());
         assert!(reference::about(topic.expect("it names one")).is_ok(), "{error}");
     }
-    let not_toml = world::from_toml("[image", Path::new("x.toml")).expect_err("it is not TOML");
+    let not_toml = scenefile::from_toml("[image", Path::new("x.toml")).expect_err("it is not TOML");
     assert!(!not_toml.to_string().contains("kinds"), "{not_toml}");
 }
 
@@ -280,5 +282,5 @@ fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
 fn the_command_shows_the_reference_and_the_schema() {
     let folder = Folder::new();
     assert_eq!(folder.good("groundtruth kinds"), reference::overview());
-    assert_eq!(folder.run("groundtruth kinds --schema").json(), *scene::schema());
+    assert_eq!(folder.run("groundtruth kinds --schema").json(), *scenefile::schema());
 }

@@ -47,11 +47,11 @@ fn read(text: &str) -> Result<(Scene, PathBuf), String> {
     }
     let path = Path::new(text);
     let read = match text.contains(['\n', '=']) {
-        true => scene::parse(text.to_owned(), Path::new("scene")),
+        true => scenefile::parse(text.to_owned(), Path::new("scene")),
         false if path.extension().is_none() && !path.exists() => {
             return Err(gallery::unknown(text));
         }
-        false => scene::open(path),
+        false => scenefile::open(path),
     };
     let (scene, source) = read.map_err(|error| error.to_string())?;
     Ok((scene, source.folder().to_owned()))

@@ -1,18 +1,10 @@
-//! Scenes: plain data, written by a gallery function or a TOML file, and turned into a
+//! Scenes: plain data, written by a gallery function or a TOML file (`scenefile`), and turned into a
 //! [`World`](crate::world::World) to be rendered.
 
 pub mod build;
-mod error;
-mod file;
-mod files;
 mod intersect;
-mod locations;
-mod mismatch;
-mod schema;
-mod syntax;
 mod tracer;
 mod transparency;
-pub mod vocabulary;
 
 use crate::background::Background;
 use crate::cameras::{ViewPlane, Viewpoint};
@@ -21,10 +13,7 @@ use crate::math::{Distance, Length, Positive};
 use crate::shapes::textbook::EPSILON;
 use crate::{accel, bumps, filters, lights, materials, samplers, shapes};
 
-pub use error::SceneError;
-pub use file::{STANDARD_INPUT, Source, from_bytes, open, parse, to_toml};
 pub use intersect::Intersect;
-pub use schema::schema;
 pub use tracer::{Depth, Tracer, Whitted};
 pub use transparency::{Transparency, TransparentShadows};
 

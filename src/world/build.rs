@@ -11,7 +11,7 @@ use crate::invalid::{Invalid, Ranges, shown};
 use crate::kinds::Resources;
 use crate::math::Aabb;
 use crate::samplers::{Kind as SamplerKind, MultiJittered, SampleSets};
-use crate::scene::{Image, Scene, SceneError};
+use crate::scene::{Image, Scene};
 
 /// The seed of a picture that names none.
 pub const DEFAULT_SEED: u64 = 1;
@@ -27,8 +27,8 @@ impl World {
     /// Builds a scene whose files are relative to the current folder.
     ///
     /// # Errors
-    /// [`SceneError::Invalid`] names object and field.
-    pub fn build(scene: &Scene) -> Result<Self, SceneError> {
+    /// [`Invalid`] names object and field.
+    pub fn build(scene: &Scene) -> Result<Self, Invalid> {
         Self::build_in(scene, Path::new(""))
     }
 
@@ -36,19 +36,15 @@ impl World {
     ///
     /// # Errors
     /// As [`World::build`].
-    pub fn build_in(scene: &Scene, folder: &Path) -> Result<Self, SceneError> {
-        Ok(Self::checked(scene, folder, DEFAULT_SEED)?)
+    pub fn build_in(scene: &Scene, folder: &Path) -> Result<Self, Invalid> {
+        Self::build_seeded(scene, folder, DEFAULT_SEED)
     }
 
     /// Builds a scene with another seed.
     ///
     /// # Errors
     /// As [`World::build`].
-    pub fn build_seeded(scene: &Scene, folder: &Path, seed: u64) -> Result<Self, SceneError> {
-        Ok(Self::checked(scene, folder, seed)?)
-    }
-
-    fn checked(scene: &Scene, folder: &Path, seed: u64) -> Result<Self, Invalid> {
+    pub fn build_seeded(scene: &Scene, folder: &Path, seed: u64) -> Result<Self, Invalid> {
         let samples = samples(&scene.image, seed).map_err(|e| e.inside("image"))?;
         let filter = scene.image.filter.build(&mut ());
         let filter = filter.map_err(|e| e.inside("filter").inside("image"))?;

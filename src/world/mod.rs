@@ -3,7 +3,6 @@
 mod build;
 mod bumped;
 mod cost;
-mod file;
 mod placing;
 
 use std::sync::Arc;
@@ -26,7 +25,6 @@ use crate::textures::TexturePoint;
 pub use build::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, check_image, check_view};
 
 pub use cost::Search;
-pub use file::{from_toml, read};
 
 /// A scene ready to be traced.
 #[derive(Debug)]

@@ -11,11 +11,12 @@ use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
 use groundtruth::render::{self, Renderer};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{self, Scene, SceneError};
+use groundtruth::scene::{self, Scene};
 use groundtruth::trace::{
     Outcome, RayBudget, RayKind, Recorder, ShadingPoint, Term, TermSource, TooManyRays,
 };
 use groundtruth::world::World;
+use scenefile::SceneError;
 
 /// The most rays of a pixel whose scene is reduced: it is traced once for each part that is tried.
 const MAX_RAYS: u64 = 1 << 20;
@@ -87,19 +88,19 @@ impl ReducedScene {
     /// # Errors
     /// As [`Irreducible`] says.
     pub fn of(scene: &Scene, folder: &Path, kept: Kept) -> Result<Self, Irreducible> {
-        let world = World::build_seeded(scene, folder, kept.seed)?;
+        let world = World::build_seeded(scene, folder, kept.seed).map_err(SceneError::from)?;
         let (size, samples) = (world.picture_size(), world.samples_per_pixel());
         let is_inside = (0..2).all(|axis| kept.pixel[axis] < size[axis]);
         if !is_inside || kept.sample.is_some_and(|sample| sample >= samples) {
             return Err(Irreducible::Outside { size, samples });
         }
-        scene::to_toml(scene)?;
+        scenefile::to_toml(scene)?;
         let touched = Touched::by(&world, kept)?;
         let radiance = radiance(&world, kept);
         let mut search = Search { folder, kept, radiance, trials: 0, best: scene.clone() };
         search.leave_out(&touched.rest(scene));
         let is_least = search.minimise();
-        let toml = scene::to_toml(&search.best)?;
+        let toml = scenefile::to_toml(&search.best)?;
         let before = [scene.objects.len(), scene.lights.len(), scene.materials.len()];
         Ok(Self { scene: search.best, toml, kept, radiance, before, is_least })
     }
@@ -150,8 +151,8 @@ impl Search<'_> {
 
     /// Whether a scene is valid and gives the same bits, also after it was written and read.
     fn holds(&self, scene: &Scene) -> bool {
-        let Ok(text) = scene::to_toml(scene) else { return false };
-        let Ok((scene, _)) = scene::parse(text, &self.folder.join("scene.toml")) else {
+        let Ok(text) = scenefile::to_toml(scene) else { return false };
+        let Ok((scene, _)) = scenefile::parse(text, &self.folder.join("scene.toml")) else {
             return false;
         };
         World::build_seeded(&scene, self.folder, self.kept.seed)

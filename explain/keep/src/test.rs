@@ -29,7 +29,7 @@ impl ReducedScene {
              //! {}; {least}.\n\n",
             self.counts()
         );
-        text += if self.kept.seed == DEFAULT_SEED { IMPORTS } else { IMPORTS_WITH_SEED };
+        text += IMPORTS;
         let _ = write!(
             text,
             "\n/// The bits that the pixel has in the whole scene.\n#[test]\nfn {}() {{\n",
@@ -40,13 +40,13 @@ impl ReducedScene {
             DEFAULT_SEED => writeln!(
                 text,
                 "    let file = {file};\n    \
-                 let (_, world) = world::from_toml(SCENE, file).expect(\"the scene is valid\");"
+                 let (_, world) = scenefile::from_toml(SCENE, file).expect(\"the scene is valid\");"
             ),
             seed => writeln!(
                 text,
                 "    let file = {file};\n    \
-                 let (scene, source) = scene::parse(SCENE.to_owned(), file).expect(\"it is a scene\");\n    \
-                 let world = World::of_source(&scene, &source, {seed}).expect(\"the scene is valid\");"
+                 let (scene, source) = scenefile::parse(SCENE.to_owned(), file).expect(\"it is a scene\");\n    \
+                 let world = source.world(&scene, {seed}).expect(\"the scene is valid\");"
             ),
         };
         let _ = match self.kept.sample {
@@ -86,9 +86,7 @@ impl ReducedScene {
     }
 }
 
-const IMPORTS: &str = "use std::path::Path;\n\nuse groundtruth::{render, world};\n";
-const IMPORTS_WITH_SEED: &str =
-    "use std::path::Path;\n\nuse groundtruth::world::World;\nuse groundtruth::{render, scene};\n";
+const IMPORTS: &str = "use std::path::Path;\n\nuse groundtruth::render;\n";
 
 /// As many # as a raw string needs around this text.
 fn hashes(text: &str) -> String {

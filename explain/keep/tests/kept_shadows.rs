@@ -3,13 +3,13 @@
 
 use std::path::Path;
 
-use groundtruth::{render, world};
+use groundtruth::render;
 
 /// The bits that the pixel has in the whole scene.
 #[test]
 fn pixel_210_160_of_ch16_shadows() {
     let file = Path::new("scene.toml");
-    let (_, world) = world::from_toml(SCENE, file).expect("the scene is valid");
+    let (_, world) = scenefile::from_toml(SCENE, file).expect("the scene is valid");
     let radiance = render::pixel(&world, [210, 160]);
     let bits = radiance.to_array().map(f64::to_bits);
     // [0.29960662212394557, 0.18725413882746597, 0.0]

@@ -126,7 +126,7 @@ fn pages_read_as_before() {
         material = "<b>"
         shape.sphere = { center = [0, 0, 0], radius = 1.5 }
     "#;
-    let (scene, world) = world::from_toml(text, Path::new("here.toml")).unwrap();
+    let (scene, world) = scenefile::from_toml(text, Path::new("here.toml")).unwrap();
     let mut pages = String::new();
     for (pixel, only) in [([2, 2], None), ([2, 1], Some(2)), ([0, 0], Some(0))] {
         let (_, html) = page_of("</title><script>", (&scene, &world), pixel, only);

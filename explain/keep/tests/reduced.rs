@@ -61,11 +61,11 @@ fn a_reduced_scene_gives_the_same_bits_and_needs_each_of_its_parts() {
         let [width, height] = world.picture_size();
         let pixel = [width * 4 / 9, height * 5 / 9];
         let found = reduced(&whole, Kept { pixel, sample: None, seed: DEFAULT_SEED });
-        let (_, again) = world::from_toml(&found.toml, Path::new("here.toml")).unwrap();
+        let (_, again) = scenefile::from_toml(&found.toml, Path::new("here.toml")).unwrap();
         let wanted = bits(render::pixel(&world, pixel));
         assert_eq!(bits(render::pixel(&again, pixel)), wanted, "{name}");
         assert_eq!(bits(found.radiance), wanted, "{name}");
-        let length = scene::to_toml(&whole).unwrap().len();
+        let length = scenefile::to_toml(&whole).unwrap().len();
         assert!(found.toml.len() <= length, "{name}: {} of {length}", found.toml.len());
         assert!(found.is_least, "{name}");
         for index in 0..found.scene.objects.len() {
@@ -167,7 +167,7 @@ fn a_part_that_only_hides_another_one_goes_after_it() {
         material = "white"
         shape.sphere = { center = [-4, 0, 4], radius = 2 }
     "#;
-    let (scene, _) = world::from_toml(text, Path::new("here.toml")).unwrap();
+    let (scene, _) = scenefile::from_toml(text, Path::new("here.toml")).unwrap();
     let found = reduced(&scene, Kept { pixel: [0, 0], sample: None, seed: DEFAULT_SEED });
     assert_eq!(found.counts(), "1 of 3 objects, 1 of 2 lights, 1 of 3 materials");
 }

@@ -129,7 +129,7 @@ fn balls(count: usize) -> World {
              shape.sphere = {{ center = [{index}, 0, 0], radius = 0.25 }}\n"
         );
     }
-    groundtruth::world::from_toml(&text, std::path::Path::new("here.toml")).expect("valid").1
+    scenefile::from_toml(&text, std::path::Path::new("here.toml")).expect("valid").1
 }
 
 /// Law: the legend of names has the twelve most frequent, those that are as frequent in the order of the scene, and says how

@@ -127,7 +127,7 @@ fn what_is_too_bright_is_stored_as_the_largest_number() {
         [[materials]]\nname = \"lamp\"\nrecipe.emissive = { ls = 1e30, ce = [1e9, 5e8, 1e-30] }\n\
         [[objects]]\nname = \"a\"\nmaterial = \"lamp\"\n\
         shape.plane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
-    let (_, world) = groundtruth::world::from_toml(text, "here.toml".as_ref()).expect("valid");
+    let (_, world) = scenefile::from_toml(text, "here.toml".as_ref()).expect("valid");
     let (films, _) = films(&world, whole(&world));
     let (_, channels, _) = contents(&films.encode(&world, &made()).expect("encoded"));
     for (name, expected) in [("R", f32::MAX), ("G", f32::MAX), ("B", 1.0)] {

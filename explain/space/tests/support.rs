@@ -26,7 +26,7 @@ pub fn light(name: &str, source: &str) -> String {
 }
 
 pub fn built(text: &str) -> (Scene, World) {
-    world::from_toml(text, Path::new("here.toml")).expect("valid")
+    scenefile::from_toml(text, Path::new("here.toml")).expect("valid")
 }
 
 /// A scene, and the tree of a pixel.

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use groundtruth::render::{self, Renderer};
-use groundtruth::scene::to_toml;
 use groundtruth::trace;
 use groundtruth::trace::RayBudget;
-use groundtruth::world::from_toml;
+use scenefile::from_toml;
+use scenefile::to_toml;
 
 /// Rows and columns of pixels that are sampled in each world.
 const CORNERS: u32 = 2;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use groundtruth::scene::STANDARD_INPUT;
+use scenefile::STANDARD_INPUT;
 
 use super::card::Card;
 

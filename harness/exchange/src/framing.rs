@@ -5,9 +5,10 @@ use std::path::Path;
 
 use formats::meshes::{self, MeshData};
 use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::invalid::Invalid;
 use groundtruth::math::{Aabb, Point, Vector, cos_degrees};
 use groundtruth::scene::build::{add, ambient, directional, grey, matte, pinhole};
-use groundtruth::scene::{Material, Scene, SceneError};
+use groundtruth::scene::{Material, Scene};
 use groundtruth::shapes::Mesh;
 use groundtruth::world::World;
 
@@ -86,7 +87,7 @@ fn edges(mesh: &MeshData) -> [usize; 2] {
 ///
 /// # Errors
 /// The file cannot be read.
-pub fn scene_of_mesh(file: &Path) -> Result<(Scene, World), SceneError> {
+pub fn scene_of_mesh(file: &Path) -> Result<(Scene, World), Invalid> {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let view = [Point::new(1.0, 0.8, 2.0), Point::ORIGIN];
     let mut scene = pinhole(&format!("the mesh {name}"), [400, 300], view, 800.0);

@@ -113,7 +113,7 @@ fn a_mesh_without_normals_is_flat_where_its_edges_are_seen() {
         std::fs::write(&file, mesh).expect("written");
         let (scene, _) = scene_of_mesh(&file).expect("it is a mesh");
         assert!(scene.about.ends_with(said), "{}", scene.about);
-        let text = groundtruth::scene::to_toml(&scene).expect("plain");
+        let text = scenefile::to_toml(&scene).expect("plain");
         assert_eq!(text.contains("smooth = true"), smooth, "{text}");
     }
 }

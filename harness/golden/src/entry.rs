@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::{GoldenError, View};
 use groundtruth::film::{self, Film};
-use groundtruth::scene::{self, Scene, SceneError, Source};
+use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
+use scenefile::{SceneError, Source};
 
 const WIDTH: u32 = 96;
 const SAMPLES: u32 = 4;
@@ -54,7 +55,7 @@ impl Golden {
     pub fn small_scene(&self, folder: &Path) -> Result<(Scene, Option<Source>), GoldenError> {
         let (mut scene, source) = match self.scene_file(folder) {
             Some(file) => {
-                let (scene, source) = scene::open(&file).map_err(|e| self.wrong(e))?;
+                let (scene, source) = scenefile::open(&file).map_err(|e| self.wrong(e))?;
                 (scene, Some(source))
             }
             None => {
@@ -75,8 +76,8 @@ impl Golden {
     pub fn render(&self, folder: &Path) -> Result<Film, GoldenError> {
         let (scene, source) = self.small_scene(folder)?;
         let world = match &source {
-            Some(source) => World::of_source(&scene, source, DEFAULT_SEED),
-            None => World::build(&scene),
+            Some(source) => source.world(&scene, DEFAULT_SEED),
+            None => World::build(&scene).map_err(SceneError::from),
         };
         Ok(self.view.render(&world.map_err(|e| self.wrong(e))?))
     }
@@ -104,7 +105,7 @@ impl Golden {
         let (view, path) = View::split(name);
         let (scene, Scene { about, image, .. }) = if path.ends_with(SCENE_FILE) {
             let wrong = |e| GoldenError::Scene { name: leaf(path).to_owned(), source: Box::new(e) };
-            let (scene, _) = scene::open(Path::new(path)).map_err(wrong)?;
+            let (scene, _) = scenefile::open(Path::new(path)).map_err(wrong)?;
             (relative(Path::new(path), folder).ok_or_else(none)?, scene)
         } else {
             let (entry, _) = in_gallery(name).ok_or_else(none)?;

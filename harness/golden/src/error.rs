@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use groundtruth::film::ImageError;
-use groundtruth::scene::SceneError;
+use scenefile::SceneError;
 
 /// Golden images that cannot be read, made or kept.
 #[derive(Debug, thiserror::Error)]

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use groundtruth::film::{self, Film, ImageError};
-use groundtruth::scene::SceneError;
+use scenefile::SceneError;
 
 pub use entry::{Golden, leaf};
 pub use error::GoldenError;

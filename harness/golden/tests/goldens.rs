@@ -228,7 +228,7 @@ fn a_golden_whose_file_is_gone_is_told_and_can_be_removed() {
     let scene = folder.path().join("mine.toml");
     let export = |entry: &str| {
         let entry = gallery::find(entry).expect("it is there");
-        groundtruth::scene::to_toml(&(entry.build)()).expect("plain")
+        scenefile::to_toml(&(entry.build)()).expect("plain")
     };
     std::fs::write(&scene, export(NAME)).expect("written");
     let proposal = goldens.propose(scene.to_str().expect("UTF-8"), "seen", &small()).unwrap();

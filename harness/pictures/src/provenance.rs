@@ -44,11 +44,11 @@ fn name(
     (scene, world): (&Scene, &World),
     folder: &Path,
 ) -> Result<String, Box<dyn Error>> {
-    let text = scene::to_toml(scene)?;
+    let text = scenefile::to_toml(scene)?;
     let is_of = |mut source: Scene| {
         source.image.resize(scene.image.width, scene.image.height);
         (source.image.samples, source.tracer) = (scene.image.samples, scene.tracer);
-        scene::to_toml(&source).is_ok_and(|source| source == text)
+        scenefile::to_toml(&source).is_ok_and(|source| source == text)
     };
     // an exported file may be one of the gallery too
     let mut known = entry.into_iter().chain(gallery::scenes());

@@ -15,6 +15,7 @@ const FOLDERS: [&str; 12] = [
     "kind",
     "oracle/src",
     "inspector",
+    "scenefile",
     "tests",
     "benches",
     "fuzz",

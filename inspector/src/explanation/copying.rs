@@ -167,5 +167,5 @@ fn is_changed(subject: &Subject<'_>) -> bool {
     read.image.resize(scene.image.width, scene.image.height);
     read.image.samples = scene.image.samples;
     read.tracer = scene.tracer;
-    scene::to_toml(&read).ok() != scene::to_toml(scene).ok()
+    scenefile::to_toml(&read).ok() != scenefile::to_toml(scene).ok()
 }

@@ -11,11 +11,12 @@ use std::time::Duration;
 use eframe::egui::{Context, DroppedFileHandle};
 use groundtruth::film;
 pub use groundtruth::render::watched;
-use groundtruth::scene::{self, Scene, SceneError};
+use groundtruth::scene::{self, Scene};
 use pictures::compare::{Picture, Transfer};
 use rayon::ThreadPoolBuilder;
 use rays::{Log, LogError};
 use rfd::{AsyncFileDialog, FileHandle};
+use scenefile::SceneError;
 
 use super::{FORMATS, LOGS, Purpose};
 
@@ -79,9 +80,9 @@ pub fn wait<T>(receiver: &Receiver<T>, timeout: Duration) -> Result<T, RecvTimeo
 /// Reads a scene file.
 ///
 /// # Errors
-/// As [`scene::open`].
-pub fn open_scene(path: &Path) -> Result<(Scene, scene::Source), SceneError> {
-    scene::open(path)
+/// As [`scenefile::open`].
+pub fn open_scene(path: &Path) -> Result<(Scene, scenefile::Source), SceneError> {
+    scenefile::open(path)
 }
 
 /// Reads a picture.

@@ -11,11 +11,12 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::Duration;
 
 use eframe::egui::Context;
-use groundtruth::scene::{self, Scene, SceneError};
+use groundtruth::scene::{self, Scene};
 use js_sys::Promise;
 use pictures::compare::{Picture, Transfer};
 use rays::{Log, LogError};
 use rfd::AsyncFileDialog;
+use scenefile::SceneError;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_time::Instant;
@@ -154,10 +155,10 @@ fn file(path: &Path) -> io::Result<Vec<u8>> {
 /// Reads a scene file.
 ///
 /// # Errors
-/// As [`scene::open`].
-pub fn open_scene(path: &Path) -> Result<(Scene, scene::Source), SceneError> {
+/// As [`scenefile::open`].
+pub fn open_scene(path: &Path) -> Result<(Scene, scenefile::Source), SceneError> {
     let unreadable = |source| SceneError::Unreadable { path: path.to_owned(), source };
-    scene::from_bytes(file(path).map_err(unreadable)?, path)
+    scenefile::from_bytes(file(path).map_err(unreadable)?, path)
 }
 
 /// Reads a picture.

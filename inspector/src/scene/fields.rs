@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use groundtruth::scene::{self, Scene, SceneError};
+use groundtruth::scene::{self, Scene};
+use scenefile::SceneError;
 use toml::{Table, Value};
 
 /// A field of a scene with another value, both as they stand in a scene file: the path `materials.glass.recipe.dielectric.inside.eta`
@@ -42,13 +43,15 @@ impl Change {
             _ if is_text => Value::String(self.value.clone()),
             _ => return Err(format!("\"{}\" is no value of a scene file", self.value)),
         };
-        scene::parse(table.to_string(), Path::new("")).map(|(scene, _)| scene).map_err(|error| {
-            // without the line, which is of a text that nobody sees
-            match error {
-                SceneError::Invalid { invalid, .. } => format!("{self}: {invalid}"),
-                other => format!("{self}: {other}"),
-            }
-        })
+        scenefile::parse(table.to_string(), Path::new("")).map(|(scene, _)| scene).map_err(
+            |error| {
+                // without the line, which is of a text that nobody sees
+                match error {
+                    SceneError::Invalid { invalid, .. } => format!("{self}: {invalid}"),
+                    other => format!("{self}: {other}"),
+                }
+            },
+        )
     }
 }
 
@@ -70,7 +73,7 @@ pub fn all(scene: &Scene) -> Vec<Change> {
 }
 
 fn table(scene: &Scene) -> Result<Table, String> {
-    let text = scene::to_toml(scene).map_err(|error| error.to_string())?;
+    let text = scenefile::to_toml(scene).map_err(|error| error.to_string())?;
     text.parse().map_err(|error: toml::de::Error| error.to_string())
 }
 

@@ -1,7 +1,8 @@
 //! Where scenes come from: the gallery or a file. They are read and built here.
 
-use groundtruth::scene::{STANDARD_INPUT, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
+use scenefile::STANDARD_INPUT;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -138,8 +139,8 @@ impl Source {
         };
         let scene = change(read.clone())?;
         let world = match text {
-            Some(text) => World::of_source(&scene, &text, seed),
-            None => World::build_seeded(&scene, self.folder(), seed),
+            Some(text) => text.world(&scene, seed),
+            None => Ok(World::build_seeded(&scene, self.folder(), seed)?),
         };
         let rays = self.rays().map(Path::to_owned);
         // the size of the picture stands in the log

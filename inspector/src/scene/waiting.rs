@@ -43,7 +43,7 @@ impl Broken {
         }
         let source = Source::File(path.clone());
         let error = source.clone().load().err()?;
-        if let Ok((scene, _)) = scene::open(&path) {
+        if let Ok((scene, _)) = scenefile::open(&path) {
             watch.add_meshes(&scene, source.folder());
         }
         Some(Self { path, error, watch, seed, change, asked })

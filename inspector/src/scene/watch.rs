@@ -28,7 +28,7 @@ impl Watch {
 
     /// Also watches the mesh files that a scene names, relative to this folder.
     pub fn add_meshes(&mut self, scene: &Scene, folder: &Path) {
-        scene.files().into_iter().for_each(|file| self.add(folder.join(file)));
+        scenefile::files(scene).into_iter().for_each(|file| self.add(folder.join(file)));
     }
 
     /// Whether there is anything to watch.

@@ -27,7 +27,7 @@ fn what_cannot_be_opened_is_reported_before_a_window_opens() {
     film::write(&Film::new(40, 30), &Tone::PLAIN, &odd).expect("writable");
     let [text, odd] = [&text, &odd].map(|path| path.to_str().expect("UTF-8"));
     let missing = "no-such-folder/scene.toml";
-    let error = groundtruth::world::read(missing.as_ref()).expect_err("it is not there");
+    let error = scenefile::read(missing.as_ref()).expect_err("it is not there");
     let small = "ch03/three-objects --size 12x10 --samples 4 --pixel";
     for (arguments, words) in [
         (missing, &*format!("error: {error}\n")),
@@ -135,7 +135,7 @@ fn a_copied_link_opens_the_same_sample() {
             let opened = Arguments::of_link(&link).expect(&link);
             let loaded = opened.load(None).expect(&link);
             let texts = [&loaded.built.scene, &rendering.scene]
-                .map(|scene| groundtruth::scene::to_toml(scene).expect("plain data"));
+                .map(|scene| scenefile::to_toml(scene).expect("plain data"));
             assert_eq!(texts[0], texts[1], "{link}");
             assert_eq!((opened.pixel, opened.view), (Some([12, 21]), view), "{link}");
             let said = opened.sample.unwrap_or(0);
@@ -168,7 +168,7 @@ fn without_a_screen_one_line_says_what_helps() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let broken = folder.path().join("broken.toml");
     std::fs::write(&broken, "image = { width = 3 }\n").expect("writable");
-    let error = groundtruth::world::read(&broken).expect_err("it is broken").to_string();
+    let error = scenefile::read(&broken).expect_err("it is broken").to_string();
     let broken = broken.to_str().expect("UTF-8");
     for (scene, before) in
         [("ch03/single-sphere", String::new()), (broken, format!("error: {error}\n"))]

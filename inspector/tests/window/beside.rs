@@ -18,10 +18,10 @@ const ETA: &str = "materials.glass sphere.recipe.dielectric.inside.eta";
 
 /// The small glass sphere with water in place of glass, changed as text.
 fn water() -> Scene {
-    let text = scene::to_toml(&small_glass_sphere()).expect("plain data");
+    let text = scenefile::to_toml(&small_glass_sphere()).expect("plain data");
     assert_eq!(text.matches("eta = 1.5\n").count(), 1);
     let text = text.replace("eta = 1.5\n", "eta = 1.33\n");
-    scene::parse(text, Path::new("")).expect("valid").0
+    scenefile::parse(text, Path::new("")).expect("valid").0
 }
 
 fn rendered(scene: &Scene) -> Film {
@@ -192,13 +192,13 @@ fn every_field_takes_its_own_value() {
         assert!(all.len() > 20, "{entry}: {}", all.len());
         for change in all {
             let same = change.applied(&scene).unwrap_or_else(|error| panic!("{entry}: {error}"));
-            assert_eq!(scene::to_toml(&same).ok(), scene::to_toml(&scene).ok(), "{change}");
+            assert_eq!(scenefile::to_toml(&same).ok(), scenefile::to_toml(&scene).ok(), "{change}");
         }
     }
     let scene = small_glass_sphere();
     let changed = |text: &str| Change::parse(text).expect("path = value").applied(&scene);
     let eta = changed(&format!("{ETA} = 2")).expect("a number");
-    assert!(scene::to_toml(&eta).expect("plain data").contains("eta = 2.0\n"));
+    assert!(scenefile::to_toml(&eta).expect("plain data").contains("eta = 2.0\n"));
     for (wrong, named) in [
         ("materials.glas.recipe = 1", "glass sphere"),
         ("no.such = 1", "materials"),

@@ -61,7 +61,7 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     let mut window = window_on(&path);
     let before = film(&window);
     std::fs::write(&path, "about = \n").expect("writable");
-    let error = groundtruth::world::read(&path).expect_err("it is broken").to_string();
+    let error = scenefile::read(&path).expect_err("it is broken").to_string();
     followed(&mut window, |window| window.state().message.is_some());
     assert_eq!(window.state().message, Some((error, true)));
     assert_eq!(film(&window), before);
@@ -88,7 +88,7 @@ fn a_broken_file_of_the_command_line_is_waited_for() {
     let mut window =
         window_of(Inspector::waiting_for(&Context::default(), broken), [1280.0, 800.0]);
     settle(&mut window);
-    let error = groundtruth::world::read(&path).expect_err("it is broken").to_string();
+    let error = scenefile::read(&path).expect_err("it is broken").to_string();
     assert!(window.query_by_label(&error).is_some());
     assert!(window.query_by_label("picture").is_none());
 

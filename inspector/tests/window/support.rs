@@ -132,7 +132,7 @@ pub fn window_on(path: &Path) -> Window {
 
 /// Writes a scene file.
 pub fn write(path: &Path, scene: &Scene) {
-    let text = groundtruth::scene::to_toml(scene).expect("plain data");
+    let text = scenefile::to_toml(scene).expect("plain data");
     std::fs::write(path, text).expect("writable");
 }
 

@@ -173,7 +173,7 @@ fn a_number_is_dragged_and_the_pixel_follows() {
     wait_until(&mut window, "the pixel follows", is_other);
     window.drop_at(at - vec2(48.0, 0.0));
     settle(&mut window);
-    let eta_now = scene::to_toml(&window.state().session.rendering.scene).expect("plain data");
+    let eta_now = scenefile::to_toml(&window.state().session.rendering.scene).expect("plain data");
     assert!(!eta_now.contains("eta = 1.5\n"), "{eta_now}");
     push(&mut window, "Undo");
     assert_eq!(value(&window), before);

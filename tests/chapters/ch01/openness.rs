@@ -4,8 +4,8 @@ use groundtruth::cameras::{self, Camera};
 use groundtruth::lights::{Light as LightKind, LightContext, LightSample};
 use groundtruth::materials::{Emission, Material as MaterialKind, Response};
 use groundtruth::samplers::{self, Sampler};
-use groundtruth::scene::to_toml;
 use groundtruth::textures::{self, Color, Texture, Value};
+use scenefile::to_toml;
 
 use crate::prelude::*;
 

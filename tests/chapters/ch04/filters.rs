@@ -173,7 +173,7 @@ fn a_constant_stays_what_it_is() {
 fn the_box_is_the_default() {
     let mut scene = edge(0.3, Box {}.into(), 16);
     let with = render::render(&built(&scene));
-    let text = groundtruth::scene::to_toml(&scene).expect("it can be written");
+    let text = scenefile::to_toml(&scene).expect("it can be written");
     assert!(!text.contains("filter"), "{text}");
     scene.image.filter = Kind::default();
     assert_eq!(bits(render::render(&built(&scene)).get([0, 0])), bits(with.get([0, 0])));

@@ -82,7 +82,7 @@ impl Law {
 
 /// A scene of the laws: its path among theirs.
 pub fn scene(path: &str) -> Scene {
-    scene::open(&folder().join(path)).unwrap_or_else(|e| panic!("{e}")).0
+    scenefile::open(&folder().join(path)).unwrap_or_else(|e| panic!("{e}")).0
 }
 
 fn folder() -> PathBuf {
@@ -125,7 +125,7 @@ fn changed(path: &str, set: &Table, names: &Table) -> Scene {
         *place(&mut data, at) = filled(value, names);
     }
     let text = toml::to_string(&data).expect("it was read as TOML");
-    scene::parse(text, &path).unwrap_or_else(|e| panic!("{names}: {e}")).0
+    scenefile::parse(text, &path).unwrap_or_else(|e| panic!("{names}: {e}")).0
 }
 
 /// The value at a path of fields, and of names or numbers in lists; a field that is not there becomes one.

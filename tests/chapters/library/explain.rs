@@ -207,7 +207,7 @@ shape = { plane = { point = [0, 0, 0], normal = [0, 1, 0] } }
 #[test]
 fn a_shadow_ray_says_what_the_medium_absorbs() {
     let path = std::path::Path::new("under_water.toml");
-    let (scene, world) = groundtruth::world::from_toml(UNDER_WATER, path).expect("it is valid");
+    let (scene, world) = scenefile::from_toml(UNDER_WATER, path).expect("it is valid");
     let explained = explain::pixel(&scene, &world, [0, 0], None).expect("few rays");
     let text = explained.text(0.0, false);
     let shadow: Vec<&str> = text.lines().skip_while(|line| !line.contains("shadow ray")).collect();

@@ -52,7 +52,7 @@ radius = 1
 
 /// The error of a scene text in `scene.toml`, without its pointer to the documentation.
 fn error_of(text: &str) -> String {
-    match world::from_toml(text, Path::new("scene.toml")) {
+    match scenefile::from_toml(text, Path::new("scene.toml")) {
         Err(error) => error.to_string().split("; see `").next().unwrap_or_default().to_owned(),
         Ok(_) => format!("this scene is read without an error:\n{text}"),
     }
@@ -89,7 +89,7 @@ fn errors_name_line_object_and_field_and_say_what_would_fit() {
 #[test]
 fn what_an_error_says_to_write_is_right() {
     let mended = with("radius = 1", "radius = 1.2").replace("\"red\"", r"'C:\Users\me'");
-    world::from_toml(&mended, Path::new("scene.toml")).expect("it is right");
+    scenefile::from_toml(&mended, Path::new("scene.toml")).expect("it is right");
 }
 
 /// Law: a scene with both settings of the textbook's routines, its own and an object's, is written and read back
@@ -99,12 +99,13 @@ fn epsilon_is_written_and_read_back() {
     let text = with("about = \"x\"\n", "about = \"x\"\nepsilon = 0.25\n");
     let textbook = "name = \"ball\"\nintersect = \"textbook\"\nepsilon = 0.125\n";
     let text = text.replacen("name = \"ball\"\n", textbook, 1);
-    let read = |text: &str| world::from_toml(text, Path::new("scene.toml")).expect("it is right").0;
-    let written = scene::to_toml(&read(&text)).expect("plain data");
+    let read =
+        |text: &str| scenefile::from_toml(text, Path::new("scene.toml")).expect("it is right").0;
+    let written = scenefile::to_toml(&read(&text)).expect("plain data");
     for line in ["epsilon = 0.25", "intersect = \"textbook\"", "epsilon = 0.125"] {
         assert_eq!(written.matches(line).count(), 1, "{line}: {written}");
     }
-    assert_eq!(scene::to_toml(&read(&written)).expect("plain data"), written);
+    assert_eq!(scenefile::to_toml(&read(&written)).expect("plain data"), written);
 }
 
 /// Law: one scale factor means the same as three equal ones. Oracle: the form with three.
@@ -150,7 +151,7 @@ fn bytes_that_are_no_text_get_line_and_byte() {
         ),
     ] {
         std::fs::write(&path, bytes).expect("written");
-        let found = world::read(&path).expect_err("it is no text").to_string();
+        let found = scenefile::read(&path).expect_err("it is no text").to_string();
         assert!(found.ends_with(error), "{found}");
     }
 }

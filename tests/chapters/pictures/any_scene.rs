@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::mem::{Discriminant, discriminant};
 
 use groundtruth::render::render;
-use groundtruth::scene::to_toml;
-use groundtruth::world::from_toml;
+use scenefile::from_toml;
+use scenefile::to_toml;
 
 use super::random_scenes::{scene, textured_scene};
 use super::studio::gallery_in_small;

@@ -68,7 +68,7 @@ fn opened(mut scene: Scene) -> String {
     let law = thread::current().name().unwrap_or("law").replace("::", "-");
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{law}.toml"));
     let [x, y] = pixel;
-    match groundtruth::scene::to_toml(&scene).map(|text| std::fs::write(&path, text)) {
+    match scenefile::to_toml(&scene).map(|text| std::fs::write(&path, text)) {
         Ok(Ok(())) => format!("its scene: groundtruth explain {} {x},{y}", path.display()),
         _ => "its scene has no file".to_owned(),
     }

@@ -4,8 +4,9 @@
 //! ([`DIMENSION`]). Data are walked beside it as a scene file holds them.
 
 use groundtruth::math::{DIMENSION, power, power_of_two};
-use groundtruth::scene::{Scene, schema};
+use groundtruth::scene::Scene;
 use groundtruth::shapes::textbook::EPSILON;
+use scenefile::schema;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;

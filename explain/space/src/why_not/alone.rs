@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use groundtruth::background::Background;
+use groundtruth::invalid::Invalid;
 use groundtruth::materials::Matte;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Material, Object, Scene, SceneError};
+use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::textures::Amount;
 use groundtruth::world::World;
 
 /// A world with this object alone, switched on. Its materials are matte, as they do not decide where it is hit, and
 /// no image needs to be read.
-pub fn world(scene: &Scene, folder: &Path, object: u32) -> Result<World, SceneError> {
+pub fn world(scene: &Scene, folder: &Path, object: u32) -> Result<World, Invalid> {
     let mut object: Object = scene.objects[object as usize].clone();
     object.enabled = true;
     let matte = |material: &Material| {

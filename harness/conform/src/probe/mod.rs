@@ -37,9 +37,10 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
-use groundtruth::invalid::{Invalid, plain_words};
+use groundtruth::invalid::Invalid;
 use groundtruth::printable;
 use groundtruth::world::World;
+use scenefile::plain_words;
 
 pub use limits::{LONGEST_LINE, MAX_POINTS, MAX_TRIANGLES, MAX_WORK};
 pub use lines::serve;

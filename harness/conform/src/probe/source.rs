@@ -9,8 +9,9 @@ use serde::{Deserialize, Deserializer};
 
 use super::limits;
 use groundtruth::invalid::{Invalid, Key};
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};
+use scenefile::SceneError;
 
 /// A gallery name, a file, or the scene itself.
 pub enum Source {
@@ -69,7 +70,7 @@ impl Source {
             e.inside("shape").inside(Key::Item(index, name)).inside("objects")
         };
         let primitives = limits::buildable(shapes, here).map_err(outer)?;
-        let world = World::build_seeded(&scene, folder, seed).map_err(|e| outer(invalid(e)))?;
+        let world = World::build_seeded(&scene, folder, seed).map_err(outer)?;
         Ok(Built { scene, world, primitives })
     }
 }
@@ -82,7 +83,7 @@ fn named(name: &str) -> Result<(Scene, &Path), Invalid> {
     if path.extension().is_none() && !path.exists() {
         return Err(Invalid::new(gallery::unknown(name)));
     }
-    let (scene, _) = world::read(path).map_err(invalid)?;
+    let (scene, _) = scenefile::read(path).map_err(invalid)?;
     Ok((scene, path.parent().unwrap_or(Path::new(""))))
 }
 

@@ -125,7 +125,7 @@ fn a_file_is_the_scene_it_holds() {
     let path = folder.path().join("scene.toml");
     let inline = half_covered(0.3, "random");
     let scene: Scene = serde_json::from_value(inline.clone()).expect("a scene");
-    let text = groundtruth::scene::to_toml(&scene).expect("it can be written");
+    let text = scenefile::to_toml(&scene).expect("it can be written");
     std::fs::write(&path, text).expect("it can be written");
     let of = |scene: Value| ask(&json!({"radiance": {"scene": scene, "pixel": [0, 0]}}));
     assert_eq!(of(json!(path)), of(inline));

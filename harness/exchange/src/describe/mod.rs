@@ -1,6 +1,6 @@
 //! A scene in plain words and numbers, from which a person can build it in another renderer.
 //!
-//! The settings are read from the scene's data, walked along the [`schema`](groundtruth::scene::schema()), and their
+//! The settings are read from the scene's data, walked along the [`schema`](scenefile::schema()), and their
 //! meaning from its doc comments, so that a new kind is described without a word here; the formulas of lights and
 //! materials are in their own files. Written by hand, in `texts.txt`, are the conventions, the rays of the cameras, the
 //! tracers, and what some kinds are exactly.
@@ -23,10 +23,10 @@ use serde_json::Value;
 
 use groundtruth::kinds::Entry;
 use groundtruth::printable;
-use groundtruth::scene::vocabulary::Definition;
 use groundtruth::scene::{self, Intersect, Scene};
 use groundtruth::world::World;
 use groundtruth::{lights, materials};
+use scenefile::vocabulary::Definition;
 
 use tables::{field_of_scene, table};
 use values::DescribedValues;
@@ -67,7 +67,7 @@ pub fn describe(
 
 /// The data of a scene, as its file says it.
 fn data_of(scene: &Scene) -> Result<Value, Box<dyn Error>> {
-    let mut data: Value = toml::from_str(&scene::to_toml(scene)?)?;
+    let mut data: Value = toml::from_str(&scenefile::to_toml(scene)?)?;
     // a file leaves out the box
     data["image"]["filter"] = serde_json::to_value(&scene.image.filter)?;
     Ok(data)

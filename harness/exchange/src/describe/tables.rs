@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use groundtruth::scene::vocabulary::Definition;
+use scenefile::vocabulary::Definition;
 
 /// A table of the schema.
 ///

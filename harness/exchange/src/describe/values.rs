@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use groundtruth::scene::vocabulary::Definition;
+use scenefile::vocabulary::Definition;
 
 use super::page::DescriptionPage;
 use super::words::Words;

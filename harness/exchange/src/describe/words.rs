@@ -1,6 +1,6 @@
 //! The words of one description: what the kinds and tables of its scene mean, each said once.
 
-use groundtruth::scene::vocabulary::{Choice, Definition};
+use scenefile::vocabulary::{Choice, Definition};
 
 use super::page::DescriptionPage;
 use super::texts;

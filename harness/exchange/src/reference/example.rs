@@ -4,7 +4,7 @@
 use std::collections::VecDeque;
 use std::sync::LazyLock;
 
-use groundtruth::scene::vocabulary::{Choice, Definition};
+use scenefile::vocabulary::{Choice, Definition};
 use serde::Serialize;
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! What a scene file can say, for people: `groundtruth kinds` and docs/scene.md.
 //!
-//! Everything is read from the [`schema`](groundtruth::scene::schema()) of scene files, which is made from the
+//! Everything is read from the [`schema`](scenefile::schema()) of scene files, which is made from the
 //! doc comments, types, defaults and specimens of the kinds themselves.
 
 mod example;

@@ -1,6 +1,6 @@
 //! The topics, and the text of each.
 
-use groundtruth::scene::vocabulary::{Choice, Definition, Field};
+use scenefile::vocabulary::{Choice, Definition, Field};
 
 use super::example::{example_of_kind, example_of_table, home_of, toml};
 

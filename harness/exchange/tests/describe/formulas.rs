@@ -115,6 +115,6 @@ fn a_scene_with_a_kind_of_a_users_own_is_refused() {
     let built = shape.build(&mut groundtruth::shapes::Context::default()).expect("it is valid");
     scene.objects[0].shape = groundtruth::shapes::Kind::Custom(groundtruth::kinds::Custom(built));
     let error = describe::describe("own", &scene, &world, std::path::Path::new(""));
-    let expected = scene::to_toml(&scene).expect_err("it is no data").to_string();
+    let expected = scenefile::to_toml(&scene).expect_err("it is no data").to_string();
     assert_eq!(error.expect_err("it is no data").to_string(), expected);
 }

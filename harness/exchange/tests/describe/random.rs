@@ -103,8 +103,8 @@ fn the_printed_hash_chooses_the_random_colours() {
     ] {
         assert_says(&text, formula);
     }
-    let (scene, source) = scene::parse(ROW.to_owned(), "".as_ref()).expect("it is a scene");
-    let world = World::of_source(&scene, &source, 1).expect("it is valid");
+    let (scene, source) = scenefile::parse(ROW.to_owned(), "".as_ref()).expect("it is a scene");
+    let world = source.world(&scene, 1).expect("it is valid");
     let texture = RandomColors { seed: 7 }.build(&mut Resources::default()).expect("it is valid");
     for ([x, y, z], number) in [
         ([0.0, 0.0, 0.0], 0),

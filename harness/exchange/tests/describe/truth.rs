@@ -189,7 +189,7 @@ const SUM: f64 = 1e-12;
 /// sphere of Phong's material. Oracle: the book's formulas, computed here from the text alone.
 #[test]
 fn the_printed_formulas_give_the_pixels() {
-    let (scene, _) = scene::parse(LIT_SPHERE.to_owned(), Path::new("")).expect("it is a scene");
+    let (scene, _) = scenefile::parse(LIT_SPHERE.to_owned(), Path::new("")).expect("it is a scene");
     let Described { world, text } = described("lit sphere", &scene);
     let whole: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
     for formula in FORMULAS {
@@ -256,11 +256,11 @@ fn descriptions_read_as_before() {
         "exposure_time = 0.75",
         "stereo = { viewing = \"parallel\", gap = 3, separation = 2 }",
     );
-    let (scene, _) = scene::parse(text, Path::new("")).expect("it is a scene");
+    let (scene, _) = scenefile::parse(text, Path::new("")).expect("it is a scene");
     let mut all = described("lit sphere", &scene).text;
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes"));
-    let (scene, source) = scene::open(&folder.join("knot.toml")).expect("it is a scene");
-    let world = World::of_source(&scene, &source, 1).expect("it is valid");
+    let (scene, source) = scenefile::open(&folder.join("knot.toml")).expect("it is a scene");
+    let world = source.world(&scene, 1).expect("it is valid");
     let text = exchange::describe::describe("knot", &scene, &world, folder).expect("it is plain");
     all += &format!("\nFILES of another\n{}\n", prose(&text, "FILES"));
     insta::assert_snapshot!(all);

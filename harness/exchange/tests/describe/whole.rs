@@ -72,7 +72,7 @@ fn lights_materials_and_objects_have_all_their_numbers() {
 
 /// The tags of all lists of kinds in the schema.
 fn tags() -> BTreeSet<String> {
-    let definitions = scene::schema()["definitions"].as_object().expect("it has definitions");
+    let definitions = scenefile::schema()["definitions"].as_object().expect("it has definitions");
     let mut tags = BTreeSet::new();
     for definition in definitions.values() {
         let lists = definition["oneOf"].as_array().into_iter().flatten();
@@ -149,7 +149,7 @@ fn explained(text: &str) -> Vec<(String, String)> {
 fn the_words_are_those_of_the_scene() {
     let tags = tags();
     for_each_scene(|name, scene, text| {
-        let file = scene::to_toml(scene).expect("it is plain data");
+        let file = scenefile::to_toml(scene).expect("it is plain data");
         let file: Value = toml::from_str(&file).expect("it is TOML");
         let mut expected = BTreeSet::new();
         used(&file, &tags, &mut expected);
@@ -177,7 +177,7 @@ fn the_words_are_those_of_the_scene() {
 #[test]
 fn what_holds_for_some_scenes_is_said_of_them_alone() {
     for_each_scene(|name, scene, text| {
-        let file = scene::to_toml(scene).expect("it is plain data");
+        let file = scenefile::to_toml(scene).expect("it is plain data");
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let has_two = ["smooth = true", "normals = [", "bump"].iter().any(|it| file.contains(it));
         assert_eq!(text.contains("the interpolated or bumped normal"), has_two, "{name}: normals");
@@ -196,7 +196,7 @@ fn every_light_and_material_has_its_formula() {
     let materials: Vec<_> =
         materials::Kind::ENTRIES.iter().map(|it| (it.module, it.formula)).collect();
     for (definition, formulas) in [("LightKind", lights), ("MaterialKind", materials)] {
-        let kinds = &scene::schema()["definitions"][definition]["properties"];
+        let kinds = &scenefile::schema()["definitions"][definition]["properties"];
         let kinds: BTreeSet<&str> =
             kinds.as_object().expect("it is a list").keys().map(String::as_str).collect();
         assert_eq!(kinds.len(), formulas.len());

@@ -43,7 +43,7 @@ impl Case {
 
     fn scene(&self) -> Scene {
         let text = self.filled("{scene}");
-        let read = scene::parse(text.clone(), Path::new("here.toml"));
+        let read = scenefile::parse(text.clone(), Path::new("here.toml"));
         read.unwrap_or_else(|error| panic!("{error}: {text}")).0
     }
 
@@ -98,8 +98,8 @@ fn targets_say_and_refuse_what_the_table_says() {
     for case in cases {
         let (scene, what) = (case.left(), case.filled("{says}:\n{scene}"));
         if let Some(Value::Table(is)) = case.0.get("is") {
-            let found = scene::to_toml(&scene).expect("it is plain data");
-            let expected = scene::to_toml(&case.with(is).scene()).expect("it is plain data");
+            let found = scenefile::to_toml(&scene).expect("it is plain data");
+            let expected = scenefile::to_toml(&case.with(is).scene()).expect("it is plain data");
             assert_eq!(found, expected, "what is left, {what}");
         }
         for (name, target) in [("mitsuba", Target::Mitsuba), ("pov", Target::Pov)] {

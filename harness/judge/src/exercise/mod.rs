@@ -5,8 +5,9 @@ mod sheet;
 
 use std::path::Path;
 
+use groundtruth::invalid::Invalid;
 use groundtruth::math::Pcg32;
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::world::DEFAULT_SEED;
 
 use super::mistakes::table::{Effect, sized};
@@ -66,7 +67,7 @@ pub fn tasks(
     (count, width): (usize, u32),
     seed: u64,
     finished: &mut dyn FnMut(),
-) -> Result<Vec<Task>, SceneError> {
+) -> Result<Vec<Task>, Invalid> {
     let mut all = of_chapter(chapter);
     Pcg32::new(seed, u64::from(chapter)).shuffle(&mut all);
     let mut tasks: Vec<Task> = Vec::new();
@@ -123,7 +124,7 @@ fn task(
     mistake: &'static Mistake,
     name: &'static str,
     width: u32,
-) -> Result<Option<Task>, SceneError> {
+) -> Result<Option<Task>, Invalid> {
     let entry = gallery::find(name).expect("the table is of the gallery");
     let scene = sized((entry.build)(), width, SAMPLES);
     let pictures = Beside::of(mistake, &scene, Path::new(""), DEFAULT_SEED)?;

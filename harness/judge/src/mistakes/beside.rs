@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use groundtruth::film::Film;
+use groundtruth::invalid::Invalid;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::Mistake;
@@ -34,7 +35,7 @@ impl Beside {
         scene: &Scene,
         folder: &Path,
         seed: u64,
-    ) -> Result<Option<Self>, SceneError> {
+    ) -> Result<Option<Self>, Invalid> {
         let right = render::render(&World::build_seeded(scene, folder, seed)?);
         // a change that gives no valid scene does not apply
         let wrong = replica(mistake, scene, folder, seed).ok().flatten();

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use groundtruth::invalid::Invalid;
 use groundtruth::lobes::Lobes;
 use groundtruth::math::{Ray, Span};
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Draws;
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term};
 use groundtruth::world::{Search, World};
 
@@ -34,7 +35,7 @@ impl Mistaken {
         original: &Scene,
         folder: &Path,
         seed: u64,
-    ) -> Result<Option<Self>, SceneError> {
+    ) -> Result<Option<Self>, Invalid> {
         let built = built(mistake, original, folder, seed)?;
         Ok(built.map(|(scene, world)| Self { scene, world, mistake: [mistake] }))
     }

@@ -29,8 +29,9 @@ pub mod table;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use groundtruth::invalid::Invalid;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use known::KnownMistake;
 use serde_json::json;
@@ -233,7 +234,7 @@ pub fn built(
     original: &Scene,
     folder: &Path,
     seed: u64,
-) -> Result<Option<(Scene, World)>, SceneError> {
+) -> Result<Option<(Scene, World)>, Invalid> {
     let scene = match mistake.how {
         How::Edits(edits) => edited(original, edits),
         How::Scene(change) => change(original, folder),

@@ -4,9 +4,10 @@
 use std::path::Path;
 
 use groundtruth::film::Film;
+use groundtruth::invalid::Invalid;
 use groundtruth::render::{self, CameraSample};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::trace;
 use groundtruth::world::World;
 use rayon::prelude::*;
@@ -35,7 +36,7 @@ pub fn probed(
     (scene, folder, seed): (&Scene, &Path, u64),
     pixels: &[[u32; 2]],
     is_over: IsOver<'_>,
-) -> Result<Option<Probed>, SceneError> {
+) -> Result<Option<Probed>, Invalid> {
     let (terms, others): (Vec<&Mistake>, Vec<&Mistake>) =
         mistakes.iter().copied().partition(|mistake| mistake.is_reweighed());
     let world = World::build_seeded(scene, folder, seed)?;
@@ -69,7 +70,7 @@ pub fn probed(
 pub fn replicas(
     mistakes: &[&'static Mistake],
     (scene, folder, seed): (&Scene, &Path, u64),
-) -> Result<Probed, SceneError> {
+) -> Result<Probed, Invalid> {
     let [width, height] = World::build_seeded(scene, folder, seed)?.picture_size();
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
     let pixels: Vec<[u32; 2]> = pixels.collect();
@@ -87,7 +88,7 @@ pub fn replica(
     original: &Scene,
     folder: &Path,
     seed: u64,
-) -> Result<Option<Film>, SceneError> {
+) -> Result<Option<Film>, Invalid> {
     let mistaken = Mistaken::new(mistake, original, folder, seed)?;
     Ok(mistaken.map(|it| render::render(&it)))
 }

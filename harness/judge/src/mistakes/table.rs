@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use gallery::Entry;
+use groundtruth::invalid::Invalid;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, SceneError};
+use groundtruth::scene::Scene;
 use groundtruth::world::DEFAULT_SEED;
 
 use super::probed::{Probed, replicas};
@@ -77,7 +78,7 @@ pub fn shown(
     mistakes: &[&'static Mistake],
     scene: &Scene,
     folder: &Path,
-) -> Result<Vec<(&'static Mistake, Effect)>, SceneError> {
+) -> Result<Vec<(&'static Mistake, Effect)>, Invalid> {
     let small = sized(scene.clone(), WIDTH, SAMPLES);
     let Probed { ours, altered } = replicas(mistakes, (&small, folder, DEFAULT_SEED))?;
     let effects = altered.iter().map(|(it, theirs)| (*it, Effect::of(&ours, theirs)));
@@ -88,7 +89,7 @@ pub fn shown(
 ///
 /// # Errors
 /// As [`shown`].
-pub fn lines(entry: &Entry) -> Result<String, SceneError> {
+pub fn lines(entry: &Entry) -> Result<String, Invalid> {
     let line = |(mistake, effect): &(&Mistake, Effect)| {
         let Effect { share, largest } = effect;
         format!("{},{},{share:.4},{largest:.3e}\n", entry.name, mistake.name)

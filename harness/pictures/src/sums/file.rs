@@ -8,7 +8,7 @@
 use std::path::{Path, PathBuf};
 
 use groundtruth::film;
-use groundtruth::scene::STANDARD_INPUT;
+use scenefile::STANDARD_INPUT;
 use xxhash_rust::xxh3::xxh3_128;
 
 use super::{ChannelSums, Header, Sums, U256};

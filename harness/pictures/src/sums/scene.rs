@@ -22,12 +22,12 @@ use toml::{Table, Value};
 pub fn scene_digest(scene: &Scene, world: &World, folder: &Path) -> Result<String, Box<dyn Error>> {
     let mut scene = scene.clone();
     scene.image.samples = world.samples_per_pixel();
-    let mut data: Table = toml::from_str(&scene::to_toml(&scene)?)?;
+    let mut data: Table = toml::from_str(&scenefile::to_toml(&scene)?)?;
     replace_files(&mut data, folder)?;
     Ok(hexadecimal(Sha256::digest(data.to_string())))
 }
 
-/// As `Scene::files_from`: every field called `file` is the name of a file.
+/// As `scenefile::files_from`: every field called `file` is the name of a file.
 fn replace_files(data: &mut Table, folder: &Path) -> Result<(), String> {
     data.iter_mut().try_for_each(|(key, value)| match value {
         Value::String(name) if key == "file" => {

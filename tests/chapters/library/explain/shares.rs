@@ -4,7 +4,7 @@ use std::iter::successors;
 
 use explain::{RecordedRay, RecordedTerm};
 use groundtruth::math::sin_cos;
-use groundtruth::world::from_toml;
+use scenefile::from_toml;
 
 use super::{UNDER_WATER, all, nested_glass_of};
 use crate::prelude::*;

@@ -239,7 +239,7 @@ shape = { sphere = { center = [0, 0, 0], radius = 0.8 } }
 #[test]
 fn a_pixel_of_endless_trees_is_refused() {
     let (scene, world) =
-        world::from_toml(ENDLESS, Path::new("endless.toml")).expect("the scene is valid");
+        scenefile::from_toml(ENDLESS, Path::new("endless.toml")).expect("the scene is valid");
     let pixel = [489, 500];
     let mut counts = RayCounts::default();
     let _ = render::sample(&world, pixel, 0, &mut counts);

@@ -248,7 +248,7 @@ fn a_black_ray_says_why() {
              lights = [{lights}]\nmaterials = [{{ name = \"disk\", recipe = {{ {recipe} }} }}]\n\
              objects = [{objects}]\n"
         );
-        let (scene, _) = world::from_toml(&text, Path::new("scene.toml"))
+        let (scene, _) = scenefile::from_toml(&text, Path::new("scene.toml"))
             .unwrap_or_else(|e| panic!("{e}: {text}"));
         let ray = ray(&scene);
         let child = case.child.as_ref().and_then(|_| ray.children[0].black.as_ref());

@@ -29,7 +29,7 @@ fn text(background: &str, color: &str) -> String {
 fn read(folder: &Path, background: &str, color: &str) -> Result<scene::Scene, String> {
     let path = folder.join("scene.toml");
     std::fs::write(&path, text(background, color)).expect("written");
-    world::read(&path).map(|(scene, _)| scene).map_err(|e| e.to_string())
+    scenefile::read(&path).map(|(scene, _)| scene).map_err(|e| e.to_string())
 }
 
 /// A texture inside a texture.
@@ -122,7 +122,7 @@ fn notes_of_images_reach_the_world_once() {
     );
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text(&sky, &color)).expect("written");
-    let (_, world) = world::read(&path).unwrap_or_else(|e| panic!("{e}"));
+    let (_, world) = scenefile::read(&path).unwrap_or_else(|e| panic!("{e}"));
     let of = |name: &str, note: &str| format!("{}: {note}", folder.path().join(name).display());
     let mut notes = world.notes.clone();
     notes.sort();
@@ -142,10 +142,10 @@ fn names_are_relative_to_the_scene_until_they_are_made_independent() {
     let elsewhere = Path::new("/");
     let build = |scene: &scene::Scene| groundtruth::world::World::build_in(scene, elsewhere);
     assert!(build(&scene).is_err(), "there is no right.ppm in /");
-    let moved = scene.files_from(folder.path()).expect("it is plain");
+    let moved = scenefile::files_from(&scene, folder.path()).expect("it is plain");
     build(&moved).expect("the names are absolute");
     // nothing else changes: with the folder taken out of the names, the text is the same
-    let text = |scene: &scene::Scene| scene::to_toml(scene).expect("it is plain");
+    let text = |scene: &scene::Scene| scenefile::to_toml(scene).expect("it is plain");
     let prefix = format!("{}/", folder.path().display());
     assert_eq!(text(&moved).replace(&prefix, ""), text(&scene));
     assert_eq!(text(&moved).matches(&prefix).count(), 2, "both are renamed");

@@ -47,7 +47,7 @@ fn check_shown(text: &str, name: &str) {
 
 /// What the program says about a scene: its error, or its notes and the explanation of a pixel.
 fn said(text: &str) -> String {
-    match world::from_toml(text, Path::new("scene.toml")) {
+    match scenefile::from_toml(text, Path::new("scene.toml")) {
         Err(error) => error.to_string() + "\n",
         Ok((scene, world)) => match explain::pixel(&scene, &world, [1, 2], None) {
             Ok(explanation) => explanation.text(0.0, false),
@@ -64,7 +64,7 @@ fn written(document: &Value) -> String {
 /// The scene with every kind of everything, as a document; and the places of its keys, and of its texts.
 fn whole() -> (Value, Vec<(Place, bool)>) {
     let lens = cameras::Kind::from(cameras::Orthographic { zoom: 1.0 });
-    let text = scene::to_toml(&everything(lens)).expect("no custom kinds");
+    let text = scenefile::to_toml(&everything(lens)).expect("no custom kinds");
     let document: Value = toml::from_str(&text).expect("it is TOML");
     let is_key = |place: &Place| place.last().is_some_and(|key| key.parse::<usize>().is_err());
     let keys = places(&document, &[], &|_| true).into_iter().filter(is_key);
@@ -84,7 +84,7 @@ fn check_error(document: &Value, (place, is_key): &(Place, bool), name: &str) {
         }
         None => *at(&mut document, place) = Value::String(name.to_owned()),
     }
-    if let Err(error) = world::from_toml(&written(&document), Path::new("scene.toml")) {
+    if let Err(error) = scenefile::from_toml(&written(&document), Path::new("scene.toml")) {
         check_shown(&error.to_string(), name);
     }
 }
@@ -128,7 +128,7 @@ proptest! {
         for tracer in ["whitted", "path_trace"] {
             document["tracer"] = toml::from_str::<Value>(&format!("{tracer}.max_depth = 3")).expect("TOML");
             let text = written(&document);
-            world::from_toml(&text, Path::new("scene.toml")).expect("names may be anything");
+            scenefile::from_toml(&text, Path::new("scene.toml")).expect("names may be anything");
             let said = said(&text);
             prop_assert!(said.contains("hits"), "{said}");
             check_shown(&said, &names.concat());

@@ -24,7 +24,7 @@ fn the_largest_numbers_make_finite_pictures() {
     ] {
         let text = with_recipe(recipe).replace("background = 0.5", shadows);
         let text = text.replace("[1, 2, 3]", "[1, 2, 3], ls = 1e30, color = 1e30");
-        let (_, world) = world::from_toml(&text, Path::new("scene.toml")).expect(recipe);
+        let (_, world) = scenefile::from_toml(&text, Path::new("scene.toml")).expect(recipe);
         let film = render::render(&world);
         assert!(film.to_f32().flatten().all(f32::is_finite), "{recipe}: {:?}", film.pixels());
     }
@@ -71,8 +71,9 @@ fn materials_that_create_light_are_noted() {
         ("matte = { kd = 5, cd = { checker3d = { size = 1 } } }", ""),
     ] {
         let text = with_recipe(recipe).replace("[1, 2, 3]", "[1, 2, 3], ls = 9");
-        let (_, world) = world::from_toml(&text, Path::new("scene.toml")).expect(recipe);
-        let notes = &world.notes;
+        let (scene, world) = scenefile::from_toml(&text, Path::new("scene.toml")).expect(recipe);
+        let mut notes = explain::notes(&scene, &world);
+        notes.retain(|note| note.starts_with("material")); // without what the tracer leaves out
         assert_eq!(notes.len(), usize::from(!noted.is_empty()), "{recipe}: {notes:?}");
         let is_right = |note: &String| note.starts_with(&format!("material \"red\": {noted}"));
         assert!(notes.iter().all(is_right), "{recipe}: {notes:?}, expected {noted}");

@@ -15,14 +15,15 @@ fn errors(path: &[String], specimen: &Value) -> Vec<String> {
     let mut whole = Value::Table(SCENE.parse::<Table>().expect("it is TOML"));
     *at(&mut whole, path) = specimen.clone();
     let text = toml::to_string(&whole).expect("it is TOML");
-    scene::parse(text.clone(), Path::new("scene.toml")).unwrap_or_else(|e| panic!("{e}: {text}"));
+    scenefile::parse(text.clone(), Path::new("scene.toml"))
+        .unwrap_or_else(|e| panic!("{e}: {text}"));
     let error = |path: Place| {
         let mut changed = whole.clone();
         let table = at(&mut changed, &path);
         let fields = table.as_table().expect("it is a table").values().cloned().collect();
         *table = Value::Array(fields);
         let text = toml::to_string(&changed).expect("it is TOML");
-        match scene::parse(text.clone(), Path::new("scene.toml")) {
+        match scenefile::parse(text.clone(), Path::new("scene.toml")) {
             Err(error) => error.to_string(),
             Ok(_) => panic!("{path:?} is read as a table:\n{text}"),
         }

@@ -1,7 +1,7 @@
 //! Meshes whose lists are in the scene file itself.
 
-use groundtruth::scene::to_toml;
-use groundtruth::world::from_toml;
+use scenefile::from_toml;
+use scenefile::to_toml;
 
 use super::{SCENE, error_of};
 use crate::prelude::*;

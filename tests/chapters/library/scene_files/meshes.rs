@@ -11,7 +11,7 @@ fn error_of_mesh(name: &str, contents: Option<&str>) -> String {
     }
     let shape = "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n";
     let text = with(shape, &format!("[objects.shape.mesh]\nfile = \"{name}\"\n"));
-    let error = match world::from_toml(&text, &folder.path().join("scene.toml")) {
+    let error = match scenefile::from_toml(&text, &folder.path().join("scene.toml")) {
         Err(error) => error.to_string(),
         Ok(_) => return "none".to_owned(),
     };

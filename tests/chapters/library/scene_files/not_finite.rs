@@ -73,7 +73,7 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
     for (i, lens) in specimens(cameras::Kind::ENTRIES).into_iter().enumerate() {
         let whole = Value::try_from(everything(lens)).expect("it can be written");
         let text = toml::to_string(&whole).expect("it can be written");
-        world::from_toml(&text, Path::new("scene.toml")).expect("it is right");
+        scenefile::from_toml(&text, Path::new("scene.toml")).expect("it is right");
         let mut places = places(&whole, &[], &Value::is_float);
         // everything but the camera is the same for every lens
         places.retain(|place| i == 0 || place[0] == "camera");
@@ -122,10 +122,10 @@ fn check_refused(whole: &Value, place: &[String], value: f64) {
     };
     let (mut wrong, place) = only(whole, place);
     let right = toml::to_string(&wrong).expect("it can be written");
-    world::from_toml(&right, Path::new("scene.toml")).expect("it is right without this value");
+    scenefile::from_toml(&right, Path::new("scene.toml")).expect("it is right without this value");
     *at(&mut wrong, &place) = Value::Float(value);
     let text = toml::to_string(&wrong).expect("it can be written");
-    let error = world::from_toml(&text, Path::new("scene.toml"))
+    let error = scenefile::from_toml(&text, Path::new("scene.toml"))
         .err()
         .unwrap_or_else(|| panic!("{place:?} may be {word}"))
         .to_string();

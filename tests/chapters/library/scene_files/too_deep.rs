@@ -1,9 +1,9 @@
 //! Excessive nesting and recursion depth.
 
 use groundtruth::invalid::MAX_NESTING;
-use groundtruth::scene::to_toml;
 use groundtruth::shapes::Part;
-use groundtruth::world::from_toml;
+use scenefile::from_toml;
+use scenefile::to_toml;
 
 use super::{error_of, with};
 use crate::prelude::*;

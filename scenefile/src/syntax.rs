@@ -1,6 +1,6 @@
 //! What to write in place of a line that is not TOML, for mistakes that people make.
 
-use crate::invalid::BACKSLASH;
+use groundtruth::invalid::BACKSLASH;
 
 /// The error of the TOML parser in this line, and what to write.
 pub(super) fn with_advice(problem: &str, line: &str) -> String {

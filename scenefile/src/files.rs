@@ -2,36 +2,36 @@
 
 use std::path::{Path, PathBuf};
 
+use groundtruth::invalid::Invalid;
+use groundtruth::scene::Scene;
 use toml::{Table, Value};
 
-use super::{Scene, SceneError, file};
-use crate::invalid::Invalid;
+use super::error::SceneError;
+use super::file;
 
-impl Scene {
-    /// The same scene, with `folder` joined to its relative file names.
-    ///
-    /// Every field called `file` is a file name, at any depth of shapes and textures; so this walks
-    /// the serialised scene instead of asking each kind.
-    ///
-    /// # Errors
-    /// [`SceneError::NotPlain`] if the scene has custom kinds or the folder's name is not UTF-8.
-    pub fn files_from(&self, folder: &Path) -> Result<Self, SceneError> {
-        let mut data = file::table(self).map_err(|invalid| SceneError::NotPlain { invalid })?;
-        let joined = join_files(&mut data, folder);
-        joined.map_err(|invalid| SceneError::NotPlain { invalid })?;
-        // by way of text: to read tables directly, each kind would be compiled a second time
-        file::parse(data.to_string(), folder).map(|(scene, _)| scene)
-    }
+/// The same scene, with `folder` joined to its relative file names.
+///
+/// Every field called `file` is a file name, at any depth of shapes and textures; so this walks the
+/// serialised scene instead of asking each kind.
+///
+/// # Errors
+/// [`SceneError::NotPlain`] if the scene has custom kinds or the folder's name is not UTF-8.
+pub fn files_from(scene: &Scene, folder: &Path) -> Result<Scene, SceneError> {
+    let mut data = file::table(scene).map_err(|invalid| SceneError::NotPlain { invalid })?;
+    let joined = join_files(&mut data, folder);
+    joined.map_err(|invalid| SceneError::NotPlain { invalid })?;
+    // by way of text: to read tables directly, each kind would be compiled a second time
+    file::parse(data.to_string(), folder).map(|(scene, _)| scene)
+}
 
-    /// The names of files in the scene, as they stand in it; none if it has custom kinds, which no
-    /// file can hold.
-    pub fn files(&self) -> Vec<String> {
-        let mut names = Vec::new();
-        if let Ok(data) = file::table(self) {
-            names_inside(&Value::Table(data), &mut names);
-        }
-        names
+/// The names of files in the scene, as they stand in it; none if it has custom kinds, which no file
+/// can hold.
+pub fn files(scene: &Scene) -> Vec<String> {
+    let mut names = Vec::new();
+    if let Ok(data) = file::table(scene) {
+        names_inside(&Value::Table(data), &mut names);
     }
+    names
 }
 
 fn names_inside(value: &Value, names: &mut Vec<String>) {

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::invalid::Invalid;
-use formats::printable;
+use groundtruth::invalid::Invalid;
+use groundtruth::printable;
 
 /// A scene that cannot be read, built or written.
 #[derive(Debug, thiserror::Error)]
@@ -44,11 +44,11 @@ impl Location {
         self.0.is_none()
     }
 
-    pub(super) fn file(path: &Path) -> Self {
+    pub(crate) fn file(path: &Path) -> Self {
         Self(Some((path.to_owned(), None)))
     }
 
-    pub(super) fn line(path: &Path, line: usize) -> Self {
+    pub(crate) fn line(path: &Path, line: usize) -> Self {
         Self(Some((path.to_owned(), Some(line))))
     }
 }

@@ -3,9 +3,12 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::error::Location;
-use super::{Scene, SceneError, locations};
-use crate::invalid::{Invalid, Key};
+use groundtruth::invalid::{Invalid, Key};
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+
+use super::error::{Location, SceneError};
+use super::locations;
 
 /// The maximum size in bytes; large scenes use procedural kinds or mesh files.
 const LARGEST_FILE: u64 = 8 << 20;
@@ -21,6 +24,14 @@ impl Source {
     /// The folder to which the file names in the scene are relative.
     pub fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(Path::new(""))
+    }
+
+    /// Builds the scene that was read from it, and may have been changed since.
+    ///
+    /// # Errors
+    /// [`SceneError`] with file, line, object and field.
+    pub fn world(&self, scene: &Scene, seed: u64) -> Result<World, SceneError> {
+        World::build_seeded(scene, self.folder(), seed).map_err(|error| self.located(error.into()))
     }
 
     /// The error with the file and line of its field in this text.

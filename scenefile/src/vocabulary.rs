@@ -1,11 +1,11 @@
 //! The vocabulary of scene files: the tables, lists of kinds, fields and types of the [`schema()`].
 
+use groundtruth::invalid::Key;
+use groundtruth::kinds::tag;
+use groundtruth::math::DIMENSION;
 use serde_json::{Map, Value};
 
-use super::schema;
-use crate::invalid::Key;
-use crate::kinds::tag;
-use crate::math::DIMENSION;
+use super::schema::schema;
 
 /// A named part of the schema: a table with fields, a list of kinds, or a plain value.
 #[derive(Clone, Copy, Debug)]

@@ -3,10 +3,9 @@
 
 use std::sync::LazyLock;
 
+use groundtruth::scene::Scene;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
-
-use super::Scene;
 
 /// The JSON schema (draft 7, which editors of TOML read) of scene files.
 pub fn schema() -> &'static Value {

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
+use groundtruth::invalid::{Invalid, Key};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::error::Location;
+use super::error::{Location, SceneError};
 use super::vocabulary::{Choice, Definition};
-use super::{SceneError, mismatch, syntax};
-use crate::invalid::{Invalid, Key, NEEDS_TABLE, WHOLE_NUMBER, plain_words};
+use super::words::{NEEDS_TABLE, WHOLE_NUMBER, plain_words};
+use super::{mismatch, syntax};
 
 /// The line (from 1) of the value at this path. If the text does not contain the value (a default),
 /// the line of the innermost table on the path.

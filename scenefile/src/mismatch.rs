@@ -2,12 +2,12 @@
 //! these at another value, as it knows the types of values but not what the header of a table
 //! meant; or it takes a list for a table.
 
+use groundtruth::invalid::Key;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use super::locations::name;
 use super::vocabulary::{Choice, Definition, Field};
-use crate::invalid::Key;
 
 /// The first of them.
 pub(super) struct Mismatch {
