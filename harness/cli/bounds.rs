@@ -7,7 +7,6 @@ use clap::Args;
 use exchange::framing;
 use groundtruth::math::Aabb;
 use groundtruth::printable;
-use groundtruth::scene;
 use serde::Serialize;
 
 use super::scene::SceneArguments;

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use groundtruth::film::{self, Format};
-use groundtruth::scene;
 use groundtruth::world::World;
 use judge::exercise::{self, Difficulty, Task};
 

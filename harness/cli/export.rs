@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use exchange::export::{Exported, Target, Term};
-use groundtruth::{film, scene};
+use groundtruth::film;
 
 use super::scene::SceneArguments;
 use super::witness::{self, By};

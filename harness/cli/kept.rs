@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use explain::{PixelExplanation, RecordedRay};
 use groundtruth::render::Renderer;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
 use text::shell;
 

@@ -2,7 +2,6 @@
 
 use clap::Args;
 use exchange::reference;
-use groundtruth::scene;
 
 use super::{Outcome, print};
 

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use groundtruth::{film, printable, scene, similar};
+use groundtruth::{film, printable, similar};
 use judge::mistakes::{self, Cover, Mistake, table};
 
 use super::{Outcome, mistake, print, progress};

@@ -9,7 +9,7 @@ use ask::{JunitCase, JunitResult};
 use clap::Args;
 use groundtruth::printable;
 use groundtruth::scene::Scene;
-use groundtruth::world::{self, DEFAULT_SEED, World};
+use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::Mistaken;
 use rays::{LawReport, LogError, RayLaw, RayVerdict, Traced, WriterLanguage};
 use serde_json::Value;

@@ -9,7 +9,7 @@ use clap::Args;
 use groundtruth::film::{self, Provenance};
 use groundtruth::render::Crop;
 use groundtruth::samplers;
-use groundtruth::scene::{self, Scene, Tracer};
+use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
 use pictures::compare;
 use scenefile::{SceneError, Source};

@@ -5,7 +5,7 @@ mod pictures;
 mod words;
 
 use groundtruth::render;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rayon::prelude::*;
 

@@ -10,7 +10,7 @@ use exchange::reference;
 use groundtruth::kinds::Entry;
 use groundtruth::scene::Scene;
 use groundtruth::textures;
-use groundtruth::{bumps, cameras, filters, lights, materials, samplers, scene, shapes, world};
+use groundtruth::{bumps, cameras, filters, lights, materials, samplers, shapes};
 use scenefile::vocabulary::Definition;
 use serde::Serialize;
 use serde::de::DeserializeOwned;

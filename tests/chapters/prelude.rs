@@ -32,7 +32,7 @@ pub use groundtruth::shapes::{
 pub use groundtruth::textures::{Paint, TexturePoint};
 pub use groundtruth::trace::{RayCounts, RayKind, radiance};
 pub use groundtruth::world::World;
-pub use groundtruth::{lights, materials, render, shapes, world};
+pub use groundtruth::{lights, materials, render, shapes};
 pub use statistics::means;
 pub use statistics::significance::sidak;
 

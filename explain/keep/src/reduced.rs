@@ -11,7 +11,7 @@ use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
 use groundtruth::render::{self, Renderer};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::trace::{
     Outcome, RayBudget, RayKind, Recorder, ShadingPoint, Term, TermSource, TooManyRays,
 };

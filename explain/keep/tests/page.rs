@@ -7,7 +7,7 @@ use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use keep::{PixelPage, SmallPicture};
 use text::digits::shortened;
 

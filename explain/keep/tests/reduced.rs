@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use groundtruth::scene::{self, Scene};
-use groundtruth::world::{self, DEFAULT_SEED, World};
+use groundtruth::scene::Scene;
+use groundtruth::world::{DEFAULT_SEED, World};
 use groundtruth::{render, rgb::Rgb};
 use keep::{Kept, ReducedScene};
 use testkit::same_text::{Printed, hold};

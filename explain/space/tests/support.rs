@@ -5,7 +5,7 @@ use std::path::Path;
 use explain::RecordedRay;
 use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::scene::Scene;
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 
 /// From z = 10 along −z, without perspective: the pixel (x, y) of 5 × 5 looks along the line through (x − 2, 2 − y).
 pub const FRONT: &str = "image = { width = 5, height = 5 }\n\

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{GoldenError, View};
 use groundtruth::film::{self, Film};
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
 use scenefile::{SceneError, Source};
 

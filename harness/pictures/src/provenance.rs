@@ -6,7 +6,7 @@ use std::path::Path;
 use gallery::{self, Entry};
 use groundtruth::film::Provenance;
 use groundtruth::printable;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use crate::sums;

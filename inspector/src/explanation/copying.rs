@@ -6,7 +6,6 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use eframe::egui::{Context, Id, Ui};
 use explain::PixelExplanation;
-use groundtruth::scene;
 use groundtruth::world::DEFAULT_SEED;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
 use text::shell::quoted;

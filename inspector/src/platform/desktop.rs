@@ -11,7 +11,7 @@ use std::time::Duration;
 use eframe::egui::{Context, DroppedFileHandle};
 use groundtruth::film;
 pub use groundtruth::render::watched;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use pictures::compare::{Picture, Transfer};
 use rayon::ThreadPoolBuilder;
 use rays::{Log, LogError};

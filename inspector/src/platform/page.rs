@@ -11,7 +11,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::Duration;
 
 use eframe::egui::Context;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use js_sys::Promise;
 use pictures::compare::{Picture, Transfer};
 use rays::{Log, LogError};

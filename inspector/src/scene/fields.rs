@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use scenefile::SceneError;
 use toml::{Table, Value};
 

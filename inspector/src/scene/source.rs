@@ -2,7 +2,7 @@
 
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
-use scenefile::STANDARD_INPUT;
+use scenefile::{STANDARD_INPUT, SceneError};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -140,7 +140,7 @@ impl Source {
         let scene = change(read.clone())?;
         let world = match text {
             Some(text) => text.world(&scene, seed),
-            None => Ok(World::build_seeded(&scene, self.folder(), seed)?),
+            None => World::build_seeded(&scene, self.folder(), seed).map_err(SceneError::from),
         };
         let rays = self.rays().map(Path::to_owned);
         // the size of the picture stands in the log

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use groundtruth::scene::Scene;
 use groundtruth::scene::build::{pinhole, point};
-use groundtruth::scene::{self, Scene};
 
 use crate::scene::source::{Built, Loaded, Source};
 use crate::scene::watch::Watch;

@@ -4,7 +4,7 @@ use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::Film;
 use groundtruth::render;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use inspector::action::Shows;
 use inspector::scene::fields::{self, Change};
 use std::path::Path;

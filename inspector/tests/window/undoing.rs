@@ -5,7 +5,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use explain::RecordedRay;
 use groundtruth::film::Film;
 use groundtruth::render;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use inspector::action::With;
 use inspector::explanation::beside;
 use inspector::scene::fields::Change;

@@ -12,7 +12,6 @@ mod formula;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use groundtruth::scene;
 use serde::Deserialize;
 use toml::{Table, Value};
 

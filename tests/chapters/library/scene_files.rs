@@ -12,8 +12,6 @@ mod too_deep;
 
 use std::collections::BTreeMap;
 
-use groundtruth::scene;
-
 use crate::prelude::*;
 
 /// A valid scene.

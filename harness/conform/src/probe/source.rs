@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer};
 use super::limits;
 use groundtruth::invalid::{Invalid, Key};
 use groundtruth::scene::Scene;
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use scenefile::SceneError;
 
 /// A gallery name, a file, or the scene itself.

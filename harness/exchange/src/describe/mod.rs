@@ -23,7 +23,7 @@ use serde_json::Value;
 
 use groundtruth::kinds::Entry;
 use groundtruth::printable;
-use groundtruth::scene::{self, Intersect, Scene};
+use groundtruth::scene::{Intersect, Scene};
 use groundtruth::world::World;
 use groundtruth::{lights, materials};
 use scenefile::vocabulary::Definition;

@@ -1,10 +1,10 @@
 //! The printed formulas of all cameras.
 
 use exchange::describe;
+use groundtruth::cameras;
 use groundtruth::math::{Pcg32, cos_degrees, sin_degrees};
 use groundtruth::render::{self, CameraSample};
 use groundtruth::scene::Scene;
-use groundtruth::{cameras, scene};
 
 use super::truth::{Camera, V, add, largest_difference, times, unit};
 use super::{described, numbers};

@@ -2,10 +2,8 @@
 
 use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Span, Vector, power};
-use groundtruth::scene;
 use groundtruth::shapes::RandomSpheres;
 use groundtruth::textures::{RandomColors, Specification};
-use groundtruth::world::World;
 
 use super::described;
 use super::formulas::assert_says;

@@ -5,8 +5,6 @@ use std::path::Path;
 
 use groundtruth::math::power;
 use groundtruth::render;
-use groundtruth::scene;
-use groundtruth::world::World;
 
 use super::{Described, described, numbers, section};
 

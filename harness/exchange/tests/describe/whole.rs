@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use exchange::describe;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::{lights, materials};
 use rayon::prelude::*;
 use serde_json::Value;

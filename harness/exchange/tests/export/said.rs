@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use exchange::export::{Target, Term};
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use toml::{Table, Value};
 
 /// A scene and what is expected of it, by the names of the file.

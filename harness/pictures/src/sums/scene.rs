@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use sha2::{Digest, Sha256};
 use toml::{Table, Value};

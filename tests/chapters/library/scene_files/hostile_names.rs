@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use groundtruth::{cameras, printable, scene};
+use groundtruth::{cameras, printable};
 use proptest::test_runner::FileFailurePersistence;
 use rayon::prelude::*;
 use testkit::properties::*;

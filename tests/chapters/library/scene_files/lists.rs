@@ -2,7 +2,7 @@
 //! declaration.
 
 use groundtruth::kinds::Entry;
-use groundtruth::{bumps, cameras, filters, samplers, scene, textures};
+use groundtruth::{bumps, cameras, filters, samplers, textures};
 use serde::Serialize;
 use toml::{Table, Value};
 

@@ -1,7 +1,6 @@
 //! Scenes with missing or damaged mesh files.
 
 use super::with;
-use crate::prelude::*;
 
 /// The error of a scene with this mesh file; the folder is left out of it.
 fn error_of_mesh(name: &str, contents: Option<&str>) -> String {
