@@ -20,7 +20,7 @@ pub struct ThreeColors {
     #[default(3.0)]
     pub expansion: Positive,
     /// The noise at which the second and the third colour begin; ascending.
-    #[default([1.35, 2.0])]
+    #[default(thresholds())]
     pub thresholds: [f64; 2],
     /// The brightness where the fractional part is 0; not negative.
     #[default]
