@@ -1,5 +1,5 @@
-//! Scenes: plain data, from a gallery function or a TOML file (package `scenefile`), and turned into
-//! a [`World`](crate::world::World) to be rendered.
+//! Scenes: plain data, from a gallery function or a TOML file (package `scenefile`), turned into a
+//! [`World`](crate::world::World) to be rendered.
 
 pub mod build;
 mod intersect;
