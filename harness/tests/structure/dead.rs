@@ -6,7 +6,7 @@ use std::path::Path;
 use super::{read, rust_files, without_comments};
 
 /// The folders of all code of the repository.
-const FOLDERS: [&str; 12] = [
+const FOLDERS: [&str; 13] = [
     "src",
     "explain",
     "formats",
