@@ -208,6 +208,14 @@ fn without_parts(path: &str, value: &Value, with: &mut With<'_>) {
             }
         }
         Value::Array(items) if triple(value).is_none() => {
+            let halves = if items.len() < 8 { 0..0 } else { 0..2 };
+            for half in halves {
+                with(path, &|slot| {
+                    let middle = items.len() / 2;
+                    let (first, second) = items.split_at(middle);
+                    *slot = json!([second, first][half]);
+                });
+            }
             for i in 0..items.len() {
                 with(path, &|slot| {
                     slot.as_array_mut().map(|items| items.remove(i));

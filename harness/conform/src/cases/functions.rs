@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 use crate::probe::ours;
 use crate::questions::cameras::{in_the_middle, pixel_ray, seen_point};
 use crate::questions::{only, outside, round};
-use groundtruth::math::{Pcg32, Vector};
+use groundtruth::math::{Pcg32, Vector, sin_cos};
+use std::f64::consts::{PI, TAU};
 
 /// From arguments to a value; `None` if they are no such arguments.
 pub type Function = fn(&mut Draw, &[Value]) -> Option<Value>;
@@ -61,6 +62,8 @@ pub fn function(name: &str) -> Option<Function> {
         "pixel_ray" => |draw, of| Some(pixel_ray(draw, of.first()?)),
         "in_the_middle" => |draw, of| Some(in_the_middle(draw, of.first()?.clone())),
         "seen_point" => |draw, of| Some(seen_point(draw, of.first()?.clone())),
+        "faceted" => |_, _| Some(faceted()),
+        "crossing" => |draw, of| crossing(draw, of.first()?),
         "compact_boxes" => |draw, _| Some(boxes(draw)),
         _ => return None,
     })
@@ -85,6 +88,42 @@ fn moved(point: [f64; 3], steps: &Value) -> Option<Value> {
         Some(round(turned + entry(3)?))
     };
     Some(json!([row(0)?, row(1)?, row(2)?]))
+}
+
+/// A ball of 192 triangles about the origin. Its corners are multiples of 1/32: what tests of its edges multiply is exact
+/// in single precision, too.
+fn faceted() -> Value {
+    const AROUND: usize = 12;
+    const RINGS: usize = 8;
+    let round = |x: f64| (32.0 * x).round() / 32.0;
+    let corner = |i: usize| {
+        let (theta, phi) = ((i / AROUND + 1) as f64 / (RINGS + 1) as f64, (i % AROUND) as f64);
+        let [(sin, cos), (s, c)] = [PI * theta, TAU * phi / AROUND as f64].map(sin_cos);
+        [sin * s, cos, sin * c].map(round)
+    };
+    let mut vertices: Vec<[f64; 3]> = (0..AROUND * RINGS).map(corner).collect();
+    let [top, bottom] = [vertices.len(), vertices.len() + 1];
+    vertices.extend([[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]]);
+    let triangles = (0..AROUND).flat_map(|i| {
+        let next = (i + 1) % AROUND;
+        let ring = move |k: usize| [k * AROUND + i, k * AROUND + next];
+        let [last, beside] = ring(RINGS - 1);
+        let between = (1..RINGS).flat_map(move |k| {
+            let ([a, b], [c, d]) = (ring(k - 1), ring(k));
+            [[a, c, b], [b, c, d]]
+        });
+        [[top, i, next], [bottom, beside, last]].into_iter().chain(between)
+    });
+    json!({"vertices": vertices, "triangles": triangles.collect::<Vec<_>>()})
+}
+
+/// A corner of a mesh, or the middle of an edge.
+fn crossing(draw: &mut Draw, mesh: &Value) -> Option<Value> {
+    let triangles = mesh["triangles"].as_array()?;
+    let corners = &triangles[draw.below(triangles.len())];
+    let mut end = || triple(&mesh["vertices"][corners[draw.below(3)].as_u64()? as usize]);
+    let [a, b] = [end()?, end()?];
+    Some(json!(std::array::from_fn::<f64, 3, _>(|i| 0.5 * (a[i] + b[i]))))
 }
 
 /// Boxes that together are about as high as wide. To other sets our grids give other cells than the book's formula does

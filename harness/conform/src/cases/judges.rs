@@ -41,6 +41,7 @@ fn law(name: &str) -> Option<Judge> {
         "map_and_back" => laws::map_and_back,
         "inverse_is_inverse" => laws::inverse_is_inverse,
         "noise_is_smooth" => laws::noise_is_smooth,
+        "unaccelerated" => laws::unaccelerated,
         "repeats" => laws::repeats,
         "interpolates" => laws::interpolates,
         "knots_differ" => laws::knots_differ,

@@ -24,7 +24,7 @@ pub use lobes::{density, energy, reciprocity, sample_agrees, shares_add_up};
 pub use noise::{noise_is_smooth, repeats};
 pub use octaves::{bump_adds_noise, octaves_add_up, texture_of_noise};
 pub use sampling::{Strata, map_and_back, strata_of, stratified, stream};
-pub use shapes::{direction_length, sides_alternate};
+pub use shapes::{direction_length, sides_alternate, unaccelerated};
 pub use spaces::{inverse_is_inverse, there_and_back};
 
 /// What a law finds.

@@ -37,6 +37,29 @@ pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
     Ok(judgement)
 }
 
+/// Law: an acceleration structure changes no hit: the question with `"accelerated": false` has the same answer (Suffern,
+/// ch. 22, 23). The case is an `intersect`.
+pub fn unaccelerated(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
+    let mut plain = case.clone();
+    plain["intersect"]["accelerated"] = json!(false);
+    let answers = ask.ask_all(&[plain, case.clone()])?;
+    let wrong = |symptom: &str, expected: String| {
+        Judgement::wrong(symptom, f64::INFINITY, expected).with([&mistakes::ACCELERATED])
+    };
+    let expected = format!("as without acceleration: t = {}", answers[0]["t"]);
+    Ok(match (number(&answers[0]["t"]), number(&answers[1]["t"])) {
+        (None, None) if answers.iter().all(Value::is_null) => Judgement::Right(0.0),
+        (None, None) => return missing("t"),
+        (Some(t), Some(other)) => {
+            match within(profile, "t", (t - other).abs() / t.abs(), || expected.clone()) {
+                Judgement::Wrong(_) => wrong("t", expected),
+                right => right,
+            }
+        }
+        _ => wrong("hit or miss", expected),
+    })
+}
+
 /// Law: along a line, a closed body is entered and left in turn (Suffern, ch. 3, 19). Where two parts of a body meet,
 /// both may be hit in the same point. The case is an `intersect` with `all`; the law asks it for the whole line.
 pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {

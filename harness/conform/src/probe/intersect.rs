@@ -7,8 +7,11 @@ use serde::{Deserialize, Serialize};
 use super::limits;
 use super::numbers::{RayData, Real, SpanData, Triple, triple};
 use super::source::{Built, Source};
+use groundtruth::accel::Method;
 use groundtruth::invalid::{Invalid, Key, direction};
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Ray, Span, Step, Vector};
+use groundtruth::scene::Scene;
 use groundtruth::shapes::{
     Candidate, Context, Instance, Kind, PartPath, Shape, Specification, Surface,
 };
@@ -27,6 +30,13 @@ pub struct Intersect {
     all: bool,
     /// A direction in which a ray leaves the hit.
     leave: Option<Vector>,
+    /// Whether acceleration structures are used; they change no answer.
+    #[serde(default = "yes")]
+    accelerated: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// One hit.
@@ -77,7 +87,7 @@ impl super::Question for Intersect {
             }
             _ => return Err(Invalid::new("needs either `shape` or `scene`")),
         };
-        let shape = build(kind, &self.transform)?;
+        let shape = build(kind, &self.transform, self.method())?;
         if self.all {
             limits::all_of(&*shape).map_err(|e| e.inside("all"))?;
             let roots = shape.roots(&ray, span);
@@ -90,13 +100,21 @@ impl super::Question for Intersect {
 }
 
 impl Intersect {
+    fn method(&self) -> Method {
+        if self.accelerated { Method::default() } else { Method::List }
+    }
+
     /// The first hit in a scene.
     fn in_scene(&self, scene: &Source, ray: &Ray, span: Span) -> Result<Option<Hit>, Invalid> {
         if self.all || !self.transform.is_empty() {
             let field = if self.all { "all" } else { "transform" };
             return Err(Invalid::field(field, "goes with `shape`, not with `scene`"));
         }
-        let Built { world, .. } = scene.built(DEFAULT_SEED, |_| Ok(()))?;
+        let method = |scene: &mut Scene| {
+            scene.accel = if self.accelerated { scene.accel } else { self.method() };
+            Ok(())
+        };
+        let Built { world, .. } = scene.built(DEFAULT_SEED, method)?;
         Ok(world.hit(ray, span).map(|hit| {
             let object = Some(Arc::clone(&hit.object.name));
             Hit { object, uv: None, path: hit.path(), ..self.of_surface(hit.t, &hit.surface, ray) }
@@ -131,9 +149,13 @@ impl Intersect {
 }
 
 /// The shape seen through the steps, if there are any.
-pub(super) fn build(shape: &Kind, transform: &[Step]) -> Result<Arc<dyn Shape>, Invalid> {
+pub(super) fn build(
+    shape: &Kind,
+    transform: &[Step],
+    method: Method,
+) -> Result<Arc<dyn Shape>, Invalid> {
     limits::buildable(std::iter::once(shape), |_, e| e.inside("shape"))?;
-    let mut context = Context::default();
+    let mut context = Context::new(Resources::default(), method);
     if transform.is_empty() {
         return shape.build(&mut context).map_err(|e| e.inside("shape"));
     }

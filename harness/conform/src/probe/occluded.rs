@@ -5,6 +5,7 @@ use serde::Deserialize;
 use super::numbers::{RayData, SpanData};
 use super::source::{Built, Source};
 use super::{intersect, limits};
+use groundtruth::accel::Method;
 use groundtruth::invalid::Invalid;
 use groundtruth::math::{Point, Ray, Span, Step};
 use groundtruth::shapes::{Context, Kind};
@@ -44,7 +45,7 @@ impl super::Question for Occluded {
         }
         match (&self.shape, &self.shapes) {
             (Some(shape), None) => {
-                let shape = intersect::build(shape, &self.transform)?;
+                let shape = intersect::build(shape, &self.transform, Method::default())?;
                 Ok(shape.shadow_hit(&ray, span).is_some())
             }
             (None, Some(shapes)) if self.transform.is_empty() => {
