@@ -188,6 +188,7 @@ fn candidates(question: &Value) -> Vec<Value> {
             with(path, &|slot| *slot = of.clone());
         }
     }
+    paths.iter().for_each(|(path, value)| fewer_triangles(path, value, &mut with));
     paths.iter().for_each(|(path, value)| without_parts(path, value, &mut with));
     paths.iter().for_each(|(path, value)| simpler_triples(path, value, &mut with));
     paths.iter().for_each(|(path, value)| simpler_numbers(path, value, &mut with));
@@ -196,6 +197,29 @@ fn candidates(question: &Value) -> Vec<Value> {
 
 /// Takes the path of a value in the question, and a change of it.
 type With<'a> = dyn FnMut(&str, &dyn Fn(&mut Value)) + 'a;
+
+/// A mesh of half of the triangles, with the vertices that these have.
+fn fewer_triangles(path: &str, value: &Value, with: &mut With<'_>) {
+    let lists = ["vertices", "triangles"].map(|list| value[list].as_array());
+    let [Some(vertices), Some(triangles)] = lists else { return };
+    let is_of_vertices = ["normals", "uvs"].iter().any(|list| value.get(list).is_some());
+    if is_of_vertices || triangles.len() < 2 {
+        return;
+    }
+    for kept in triangles.chunks(triangles.len().div_ceil(2)) {
+        let corners = || kept.iter().filter_map(Value::as_array).flatten();
+        let mut used: Vec<usize> =
+            corners().filter_map(|corner| Some(corner.as_u64()? as usize)).collect();
+        used.sort_unstable();
+        used.dedup();
+        let moved = |corner: &Value| used.iter().position(|it| json!(it) == *corner);
+        with(path, &|slot| {
+            slot["vertices"] = used.iter().filter_map(|it| vertices.get(*it).cloned()).collect();
+            let corners: Vec<_> = corners().map(moved).collect();
+            slot["triangles"] = json!(corners.chunks(3).collect::<Vec<_>>());
+        });
+    }
+}
 
 /// A table without one of its fields, a list without one of its items.
 fn without_parts(path: &str, value: &Value, with: &mut With<'_>) {

@@ -43,6 +43,8 @@ fn law(name: &str) -> Option<Judge> {
         "noise_is_smooth" => laws::noise_is_smooth,
         "unaccelerated" => laws::unaccelerated,
         "repeats" => laws::repeats,
+        "seeds_differ" => laws::seeds_differ,
+        "vectors_are_even" => laws::vectors_are_even,
         "interpolates" => laws::interpolates,
         "knots_differ" => laws::knots_differ,
         "octaves_add_up" => laws::octaves_add_up,

@@ -2,6 +2,7 @@
 
 use super::local::Local;
 use groundtruth::math::Vector;
+use groundtruth::math::polynomial::real_roots;
 use oracle::{Root, Shape};
 
 /// How near to a formula's own value an answer has to be, as a share of the value's error: the order of the operations
@@ -92,6 +93,40 @@ pub fn is_count_of_cancellation(
         }
     };
     theirs.len() != right && is_round(local.shape) && by_formulas(local).into_iter().any(has)
+}
+
+/// Whether their `t` is a root in the span of the book's quartic of a torus, one of whose terms is left out, halved, doubled
+/// or has the other sign.
+///
+/// Source: Suffern, ch. 19, with `e = |o|² − a² − b²`.
+pub fn is_torus_coefficient(local: &Local<'_>, [min, max]: [f64; 2], theirs: f64) -> bool {
+    let Shape::Torus { swept_radius: a, tube_radius: b } = *local.shape else { return false };
+    let (o, d) = (local.ray.origin.to_vector(), local.ray.direction);
+    let (dd, od, e) = (d.dot(d), o.dot(d), o.dot(o) - a * a - b * b);
+    let four = 4.0 * a * a;
+    // with the power of t
+    let terms = [
+        (0, e * e),
+        (0, -four * b * b),
+        (0, four * o.y() * o.y()),
+        (1, 4.0 * od * e),
+        (1, 2.0 * four * o.y() * d.y()),
+        (2, 2.0 * dd * e),
+        (2, 4.0 * od * od),
+        (2, four * d.y() * d.y()),
+        (3, 4.0 * dd * od),
+        (4, dd * dd),
+    ];
+    let changed = |wrong: usize, factor: f64| {
+        let mut quartic = [0.0; 5];
+        for (i, (power, term)) in terms.iter().enumerate() {
+            quartic[*power] += if i == wrong { factor * term } else { *term };
+        }
+        let is_theirs =
+            |t: &f64| min < *t && *t < max && super::super::mistakes::same(&[theirs], &[*t]);
+        real_roots(&quartic).iter().any(is_theirs)
+    };
+    (0..terms.len()).any(|wrong| [0.0, 0.5, 2.0, -1.0].iter().any(|by| changed(wrong, *by)))
 }
 
 /// Whether all of the quadric is the shape: parts of it have borders.

@@ -19,6 +19,11 @@ pub fn of_count(question: &IntersectQuestion, theirs: &[&Value], right: &[Root])
     let mut found = if theirs.is_empty() { vec![&m::MISSED] } else { Vec::new() };
     if let ([t], []) = (&theirs[..], right) {
         found.extend(behind(*t, &line));
+        if Local::of(question)
+            .is_some_and(|local| formulas::is_torus_coefficient(&local, question.span, *t))
+        {
+            found.push(&m::TORUS_COEFFICIENT);
+        }
     }
     if let ([], [root]) = (&theirs[..], right)
         && dot(root.normal, question.ray.direction) > 0.0
@@ -65,6 +70,11 @@ pub fn of_t(question: &IntersectQuestion, t: f64, root: &Root) -> Clues {
     }
     if local.is_some_and(|local| formulas::is_cancellation(&local, t, root)) {
         found.push(&m::CANCELLATION);
+    }
+    if Local::of(question)
+        .is_some_and(|local| formulas::is_torus_coefficient(&local, question.span, t))
+    {
+        found.push(&m::TORUS_COEFFICIENT);
     }
     if NOT_SET.contains(&t.abs()) {
         found.push(&m::T_NOT_SET);

@@ -21,7 +21,7 @@ use groundtruth::math::UNIT_ROUNDOFF;
 pub use lattice::{interpolates, knots_differ};
 pub use lights::{cosine_drawn, irradiance, jittered_moments, lamp_sample, sky_sample};
 pub use lobes::{density, energy, reciprocity, sample_agrees, shares_add_up};
-pub use noise::{noise_is_smooth, repeats};
+pub use noise::{noise_is_smooth, repeats, seeds_differ, vectors_are_even};
 pub use octaves::{bump_adds_noise, octaves_add_up, texture_of_noise};
 pub use sampling::{Strata, map_and_back, strata_of, stratified, stream};
 pub use shapes::{direction_length, sides_alternate, unaccelerated};

@@ -85,6 +85,7 @@ impl Octaves<'_> {
         let (bare, bound) = (sum(gain, others), self.bound(gain));
         let [less, bound_of_less] = self.less(gain, others);
         let exchanged = sum(lacunarity, by_gain);
+        let reversed = others.iter().fold(0.0, |sum, value| gain * sum + value);
         let mistaken = vec![
             (&m::NO_GAIN, shifted(sum(0.5, others), self.bound(0.5))),
             (&m::NO_GAIN, shifted(sum(0.5, others), bound)),
@@ -97,6 +98,7 @@ impl Octaves<'_> {
             (&m::NO_EXPONENT_OF_GAIN, shifted(bare, self.bound(0.5))),
             (&m::GAIN_FOR_LACUNARITY, shifted(exchanged, self.bound(lacunarity))),
             (&m::GAIN_FOR_LACUNARITY, shifted(exchanged, bound)),
+            (&m::OCTAVES_REVERSED, shifted(reversed, bound)),
         ];
         ("fbm", shifted(bare, bound), mistaken)
     }

@@ -6,6 +6,7 @@ use std::cmp::Ordering;
 use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
+use super::super::mistakes::PIXELS_ALIKE;
 use super::{LEVEL, LawOutcome, TESTS, missing, relative, within};
 use statistics::chi_square::goodness_of_fit;
 use statistics::correlation::pearson;
@@ -97,7 +98,9 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     }
     let level = sidak(LEVEL, 3 * TESTS);
     if let Some(text) = unevenness(&points, level) {
-        return Ok(Judgement::wrong("uneven", f64::INFINITY, text));
+        let are_alike = points.iter().all(|point| *point == points[0]);
+        let judged = Judgement::wrong("uneven", f64::INFINITY, text);
+        return Ok(judged.with(are_alike.then_some(&PIXELS_ALIKE)));
     }
     for axis in [0, 1] {
         let along: Vec<f64> = points.iter().map(|point| point[axis]).collect();

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::altered::{card_with, instead};
 
 /// Families, each with a mistake that it shows.
-const PLANTED: [(&str, &str); 14] = [
+const PLANTED: [(&str, &str); 20] = [
     ("radiance.mirror.hall", "one-bounce-less"),
     ("radiance.path_trace.furnace", "one-bounce-more"),
     ("radiance.path_trace.furnace", "path-hits-over-pi"),
@@ -23,6 +23,12 @@ const PLANTED: [(&str, &str); 14] = [
     ("radiance.lamp.rectangle", "lamp-two-sided"),
     ("radiance.occlusion.distance", "no-max-distance"),
     ("radiance.global_trace.room", "one-bounce-less"),
+    ("radiance.path.last_bounce", "one-bounce-less"),
+    ("radiance.lamp.switched_off", "switched-off-counts"),
+    ("radiance.lamp.left_in_place", "textures-always-in-instance"),
+    ("radiance.mesh.leaning", "flat-shading"),
+    ("radiance.media.bubble", "outside-is-air"),
+    ("radiance.sky.bilinear", "image-transposed"),
 ];
 
 /// Answers the question changed, with random numbers of other seeds.
@@ -43,7 +49,8 @@ impl<F: Fn(&mut Value)> Subject for Planter<F> {
 /// Whether a program that makes this change is wrong in the first cases of a family, and the names that its card has.
 fn named(family: &str, change: impl Fn(&mut Value)) -> (bool, Vec<String>) {
     // how many cases show it
-    let is_rare = ["lamp.rect", "of_parts", "mesh"].iter().any(|word| family.contains(word));
+    let is_rare =
+        ["lamp.rect", "of_parts", "mesh", "switched"].iter().any(|word| family.contains(word));
     let cases = match family {
         "radiance.pixel.thin_lens" => 512,
         _ if is_rare => 64,

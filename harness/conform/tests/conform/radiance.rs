@@ -143,6 +143,8 @@ const HIDDEN: &[&str] = &[
     "fisheye-without-circle",
     "lens-radius-doubled",
     "noise-linear",
+    "gain-for-lacunarity",
+    "octaves-reversed",
     "octaves-without-gain",
     "octaves-without-lacunarity",
     "one-octave-more",

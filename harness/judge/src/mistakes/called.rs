@@ -41,6 +41,15 @@ pub(super) fn called(name: &str) -> Function {
             rows.iter_mut().filter_map(Value::as_array_mut).for_each(|row| row.reverse());
             Some(())
         },
+        "transpose_texels" => |image| {
+            let rows = image.get_mut("texels")?.as_array_mut()?;
+            let width = rows.first()?.as_array()?.len();
+            // from the lowest row up
+            let column =
+                |x: usize| rows.iter().rev().filter_map(|row| row.get(x).cloned()).collect();
+            *rows = (0..width).rev().map(column).collect();
+            Some(())
+        },
         "other_part_of_circle" => |shape| {
             let phi = shape.get("phi")?;
             let [low, high] = [phi.get(0)?.as_f64()?, phi.get(1)?.as_f64()?];

@@ -10,6 +10,35 @@ use super::{How, Mistake, ObservedTerm};
 
 const COSINE_TWICE: Mistake = Mistake::factor("path-cosine-twice", cosine);
 
+/// By Veach's balance heuristic, from the weight by the power heuristic.
+fn balanced(mis: f64) -> f64 {
+    1.0 / (mis + (mis * (1.0 - mis)).sqrt())
+}
+
+/// The weight of the other way to find the same light.
+fn others(mis: f64) -> f64 {
+    (1.0 - mis) / mis
+}
+
+/// What becomes of the weights of lights that are sampled.
+fn of_samples(term: &ObservedTerm<'_>, factor: fn(f64) -> f64) -> Option<f64> {
+    let TermSource::Direct { mis, .. } = term.term.source else { return None };
+    mis.filter(|mis| *mis > 0.0).map(factor)
+}
+
+/// The same of lights that paths hit.
+fn of_hits(term: &ObservedTerm<'_>, factor: fn(f64) -> f64) -> Option<f64> {
+    let (TermSource::Emission { mis } | TermSource::Background { mis }) = term.term.source else {
+        return None;
+    };
+    mis.filter(|mis| *mis > 0.0).map(factor)
+}
+
+const HEURISTICS: Mistake =
+    Mistake::factor("mis-two-heuristics", |term| of_samples(term, balanced));
+
+const OTHER_WEIGHT: Mistake = Mistake::factor("mis-other-weight", |term| of_samples(term, others));
+
 const COUNTED_TWICE: Mistake = Mistake::term("light-counted-twice", light_counted_twice);
 
 pub(super) const ALL: &[Mistake] = &[
@@ -25,6 +54,10 @@ pub(super) const ALL: &[Mistake] = &[
             None => light_counted_twice(term),
         }),
     ),
+    HEURISTICS,
+    HEURISTICS.in_form("the other way round", How::Factor(|term| of_hits(term, balanced))),
+    OTHER_WEIGHT,
+    OTHER_WEIGHT.in_form("or where a path hits them", How::Factor(|term| of_hits(term, others))),
     COSINE_TWICE,
     COSINE_TWICE.in_form(
         "with the density 1/2π of even directions",

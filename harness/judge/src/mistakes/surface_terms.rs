@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use groundtruth::lobes::Lobe;
-use groundtruth::math::{Normal, Vector, power};
+use groundtruth::math::{Normal, Ray, Vector, power};
 use groundtruth::rgb::Rgb;
+use groundtruth::trace;
 
 use super::{How, Mistake, ObservedTerm};
 
@@ -36,6 +37,7 @@ pub(super) const ALL: &[Mistake] = &[
         Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_) => term.cosine_of_ray(),
         _ => None,
     }),
+    Mistake::term("mirror-without-two", mirrored_once),
     Mistake::term("mirror-without-kr", |term| match term.traced()? {
         Lobe::PerfectSpecular(_) => term.unweighed(),
         _ => None,
@@ -112,4 +114,17 @@ fn sphere_normal_not_unit(term: &ObservedTerm<'_>) -> Option<Rgb> {
     let r = term.ray.surface.as_ref()?.radius?;
     let other = with_highlight(term, |n, wo, wi| times_mirrored(2.0 * r * r, n, wo, wi));
     Some(r * other.unwrap_or_else(|| term.value()))
+}
+
+/// What arrives at an opaque mirror from `(n·ω_o) n − ω_o`, along the surface, by a tree of rays that begins there.
+fn mirrored_once(term: &ObservedTerm<'_>) -> Option<Rgb> {
+    /// Above the surface by this share of the distance from the viewer.
+    const ABOVE: f64 = 1e-9;
+    let Some(Lobe::PerfectSpecular(_)) = term.traced() else { return None };
+    let surface = term.ray.surface.as_ref().filter(|surface| surface.eta().is_none())?;
+    let n = surface.normals.shading;
+    let along = (n.dot(surface.wo) * n - surface.wo).unit()?;
+    let ray = Ray::new(surface.point + (ABOVE * surface.t) * n, along);
+    let draws = term.world.draws([0, 0], 0);
+    Some(term.term.weight * trace::radiance(term.world, &ray, draws, &mut ()))
 }

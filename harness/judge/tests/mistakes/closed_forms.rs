@@ -166,6 +166,8 @@ fn lamps_that_are_not_seen() {
     assert!((value(&ours(&scene)) - 3.0).abs() < ROUNDING);
     expect("lamps-unseen-in-mirrors", &scene, 0.0, 0.0);
     expect("mirror-without-kr", &scene, 4.0, ROUNDING);
+    // along the plane, below the ceiling
+    expect("mirror-without-two", &scene, 0.0, 0.0);
 }
 
 /// Law: light from below counts as light from above. Oracle: the light that is above.

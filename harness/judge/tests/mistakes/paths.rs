@@ -41,6 +41,48 @@ fn a_sky_that_counts_twice() {
     expect("light-counted-twice", &scene, 2.0 * KD, ROUNDING);
 }
 
+/// Law: of two ways to find the same light, whose weights add up to 1, both wrong pictures together have twice the light: what one
+/// weight takes from a way, the other gives to it. Oracle: the light of a disk above, `k_d R²/(R² + h²)`.
+#[test]
+fn weights_of_two_ways_to_find_a_lamp() {
+    let mut scene = under_a_sky(Tracer::Path(Depth { max_depth: 1 }), 1 << 14);
+    scene.background = Rgb::BLACK.into();
+    let center = point(0.0, 2.0, 0.0);
+    let disk = groundtruth::shapes::Disk { center, normal: vector(0.0, -1.0, 0.0), radius: 3.0 };
+    add(&mut scene, "lamp", disk, groundtruth::materials::Emissive::new(1.0, Rgb::WHITE));
+    light(&mut scene, groundtruth::lights::Area { object: "lamp".to_owned(), sampling: None });
+    let whole = KD * 9.0 / 13.0;
+    for (name, form) in [
+        ("mis-two-heuristics", "the other way round"),
+        ("mis-other-weight", "or where a path hits them"),
+    ] {
+        let [one, other] = [value(&with(name, &scene)), value(&with_form(name, form, &scene))];
+        assert!((one / whole - 1.0).abs() > 2.0 * NOISE, "{name}: {one} is as bright as {whole}");
+        assert!((0.5 * (one + other) / whole - 1.0).abs() < NOISE, "{name}: {one}, {other}");
+    }
+}
+
+/// Law: a sky of four columns that is sampled a column off lights a slope as the sky with its columns moved. Oracle: that
+/// sky.
+#[test]
+fn a_sky_that_is_sampled_turned() {
+    let under = |column: usize| {
+        let mut scene = plane(matte(0.0, KD, Rgb::WHITE), 30.0);
+        let (point, normal) = (point(0.0, 0.0, 0.0), vector(1.0, 1.0, 0.5));
+        scene.objects[0].shape = groundtruth::shapes::Plane { point, normal }.into();
+        let mut sky = groundtruth::background::Image::of_file("", Default::default());
+        let row = (0..4).map(|i| if i == column { Rgb::WHITE } else { Rgb::BLACK }).collect();
+        (sky.file, sky.texels) = (None, Some(vec![row]));
+        scene.background = sky.into();
+        scene.image.samples = 4096;
+        light(&mut scene, Environment {});
+        scene
+    };
+    let expected = value(&ours(&under(1)));
+    assert!(expected > 0.1, "{expected}");
+    expect("sky-sampled-turned", &under(0), expected, NOISE);
+}
+
 /// Law: with a second cosine, or without their density, paths have the means `2/3` and `2/3π` over directions by the
 /// cosine. Oracle: these integrals.
 #[test]

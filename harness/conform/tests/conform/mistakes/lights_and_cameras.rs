@@ -65,6 +65,8 @@ planted! {
         at(&mut a, "/direction", |x| x * distance.unwrap_or(1.0) / cosine);
         a
     });
+    EYES_EXCHANGED in ["camera_ray.stereo"] =>
+        Question(|data| data["eye"] = json!(if data["eye"] == "left" { "right" } else { "left" }));
     NO_ROLL in ROLLED => Question(|data| data["camera"]["roll"] = json!(0.0));
     "rays and points disagree" in ["camera_ray.fisheye.there_and_back"] => Numbers("/image", |x| x + 0.25);
     "pdf × 7" in SAMPLED => Numbers("/pdf", |x| 7.0 * x);

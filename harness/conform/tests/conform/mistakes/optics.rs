@@ -20,6 +20,12 @@ planted! {
         let r0 = power((eta - 1.0) / (eta + 1.0), 2.0);
         json!({"reflected": r0 + (1.0 - r0) * power(1.0 - c, 5.0)})
     });
+    POLARISATIONS_EXCHANGED in ["fresnel.cosine"] => Answer(|_, mut a| {
+        for [s, p] in [["r_s", "r_p"], ["t_s", "t_p"]] {
+            (a[s], a[p]) = (a[p].clone(), a[s].clone());
+        }
+        a
+    });
     ROOT in ["fresnel.cosine"] => Answer(|_, a| json!({"reflected": a["reflected"].as_f64().unwrap_or(0.0).sqrt()}));
     COMPLEMENT in ["fresnel.cosine"] => Answer(|_, a| json!({"reflected": a["transmitted"]}));
     NEGATED in ["fresnel.directions"] => Numbers("/refracted", |x| -x);

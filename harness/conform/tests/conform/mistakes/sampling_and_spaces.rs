@@ -31,6 +31,14 @@ planted! {
         };
         a
     });
+    PIXELS_ALIKE in ["samples.jittered.stream"] => Question(|data| {
+        data.pointer_mut("/draw/pixel").into_iter().for_each(|pixel| *pixel = json!([3, 5]));
+    });
+    ROTATION_Z_REVERSED in ["transform.composed.values"] => Question(|data| {
+        for step in data["steps"].as_array_mut().into_iter().flatten() {
+            at(step, "/rotate_z", |degrees| -degrees);
+        }
+    });
     STEPS_REVERSED in ["transform.composed.values"] =>
         Question(|data| { data["steps"].as_array_mut().into_iter().for_each(|steps| steps.reverse()); });
     TRANSPOSED in ["transform.shear.values"] => Answer(|_, mut a| {

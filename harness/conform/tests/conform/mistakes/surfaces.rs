@@ -5,7 +5,7 @@ use conform::ours;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, each, instead, only, swap, vector};
-use super::planted::{Answer, Question, planted};
+use super::planted::{Answer, Numbers, Question, planted};
 
 planted! {
     TEXTURE_COLOURS_EXCHANGED in ["texture.checker3d"] => Question(|data| {
@@ -45,6 +45,17 @@ planted! {
         let [x, y, z] = vector(&data["point"]);
         data["point"] =
             json!([x, y.floor() + z - z.floor(), z.floor() + y - y.floor()]);
+    });
+    OCTAVES_REVERSED in ["noise.lattice.sums", "noise.given"] =>
+        Question(|data| at(data, "/noise/gain", |gain| 1.0 / gain));
+    "one table for all seeds" in ["noise.lattice.seeds"] =>
+        Question(|data| data["noise"]["seed"] = json!(1));
+    "vectors of one half" in ["noise.lattice.vectors"] => Numbers("/vector/2", f64::abs);
+    IMAGE_TRANSPOSED in ["texture.image.spherical", "texture.image.bilinear_by_the_book"] => Question(|data| {
+        let texels: Vec<Vec<Value>> =
+            serde_json::from_value(data["texture"]["image"]["texels"].clone()).expect("rows");
+        let column = |x: usize| texels.iter().rev().map(|row| row[x].clone()).collect::<Value>();
+        data["texture"]["image"]["texels"] = (0..texels[0].len()).rev().map(column).collect();
     });
     AZIMUTH_OFF in ["mapping.spherical.values", "mapping.cylindrical.values"] => Answer(|q, mut a| {
         if data(q)["point"][0].as_f64() < Some(0.0) {

@@ -5,6 +5,7 @@ use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
+use groundtruth::background::{Background, Pattern};
 use groundtruth::invalid::LENGTHS;
 use groundtruth::kinds::Resources;
 use groundtruth::lights::{
@@ -13,7 +14,7 @@ use groundtruth::lights::{
 use groundtruth::math::{Frame, Point, Vector, maps};
 use groundtruth::scene::{Intersect, Scene};
 use groundtruth::shapes::{self, SampledSurface, Sampling};
-use groundtruth::world::{PlacedLight, World};
+use groundtruth::world::{DEFAULT_SEED, PlacedLight, World};
 
 use super::each;
 use super::materials::is_transparent;
@@ -22,6 +23,10 @@ use crate::mistakes::{How, Mistake};
 
 const OFFSET_TOO_LARGE: Mistake =
     Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 1.0));
+
+const SKY_SAMPLED: Mistake = Mistake::world("sky-sampled-turned", |world, scene, folder| {
+    sky_sampled(world, scene, folder, |degrees| degrees + 90.0)
+});
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::world("lit-from-behind", lit_from_behind),
@@ -41,6 +46,21 @@ pub(super) const ALL: &[Mistake] = &[
         .in_form("or than 0.01", How::Scene(|scene, _| with_least_distance(scene, 0.01))),
     Mistake::world("occluder-uniform", occluder_uniform),
     Mistake::world("no-lamp-area", no_lamp_area),
+    SKY_SAMPLED,
+    SKY_SAMPLED.in_form(
+        "or by 180°",
+        How::World(|world, scene, folder| {
+            sky_sampled(world, scene, folder, |degrees| degrees + 180.0)
+        }),
+    ),
+    SKY_SAMPLED.in_form(
+        "or not turned",
+        How::World(|world, scene, folder| sky_sampled(world, scene, folder, |_| 0.0)),
+    ),
+    SKY_SAMPLED.in_form(
+        "or turned the other way",
+        How::World(|world, scene, folder| sky_sampled(world, scene, folder, |degrees| -degrees)),
+    ),
 ];
 
 /// The scene as the book's program hits it, whose rays start on the surface and ignore all hits that are nearer. Where that is
@@ -236,5 +256,25 @@ fn no_lamp_area(world: &mut World, scene: &Scene, folder: &Path) -> Option<()> {
             radiance: sample.radiance / area,
             ..sample
         }))
+    })
+}
+
+/// Samples the sky of a scene whose image is turned otherwise.
+fn sky_sampled(
+    world: &mut World,
+    scene: &Scene,
+    folder: &Path,
+    turned: fn(f64) -> f64,
+) -> Option<()> {
+    let mut other = scene.clone();
+    let Background::Pattern(Pattern::Image(image)) = &mut other.background else { return None };
+    let degrees = turned(image.rotate_y);
+    if std::mem::replace(&mut image.rotate_y, degrees) == degrees {
+        return None;
+    }
+    let other = World::build_seeded(&other, folder, DEFAULT_SEED).ok()?;
+    with_lights(world, scene, |placed, source| {
+        let light = other.lights.iter().find(|it| it.index == placed.index)?;
+        matches!(source, Kind::Environment(_)).then(|| light.light.clone())
     })
 }
