@@ -99,7 +99,8 @@ pub fn vectors_are_even(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
     let vectors = answers.iter().map(|answer| triple(&answer["vector"]));
     // vectors are for bumps alone
     let Some(mut vectors) = vectors.collect::<Option<Vec<[f64; 3]>>>() else {
-        return Ok(Judgement::Undecided);
+        let has_values = number(&answers[0]["value"]).is_some();
+        return if has_values { Ok(Judgement::Undecided) } else { missing("value") };
     };
     let off = |v: &[f64; 3]| (v.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0).abs();
     let most = vectors.iter().map(off).fold(0.0, f64::max);

@@ -79,8 +79,18 @@ fn no_constant_passes() {
 /// Laws that a right answer keeps, whatever the question: another family of the same question tells it.
 fn is_law_of_one_answer(name: &str) -> bool {
     let last = name.rsplit('.').next().unwrap_or_default();
-    ["energy", "reciprocity", "shares", "inverse", "sides", "smooth", "strata", "sample"]
-        .contains(&last)
+    [
+        "accelerated",
+        "energy",
+        "reciprocity",
+        "shares",
+        "inverse",
+        "sides",
+        "smooth",
+        "strata",
+        "sample",
+    ]
+    .contains(&last)
 }
 
 /// Law: a part that a law reads has to be a number, and there. Oracle: our answers to all questions, altered in one
@@ -109,14 +119,15 @@ fn laws_are_broken_by_what_is_no_number() {
 /// The fields that the law of a family needs.
 fn read(family: &str) -> &'static [&'static str] {
     match family.rsplit('.').next().unwrap_or_default() {
-        "direction_length" => &["t"],
+        "direction_length" | "accelerated" => &["t"],
+        "vectors" => &["vector"],
         "sides" if family.starts_with("intersect.") => &["t", "normal"],
         "reciprocity" => &["f"],
         "energy" => &["albedo"],
         "there_and_back" if family.starts_with("camera_ray.") => &["image"],
         "inverse" => &["matrix"],
         "shares" => &["reflected"],
-        "linear" | "cubic" | "knots" => &["value"],
+        "linear" | "cubic" | "knots" | "seeds" => &["value"],
         "sums" => &["value", "fractal_sum", "turbulence", "fbm", "vector_fbm"],
         _ => &[],
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::lobes::Lobe;
+use groundtruth::lobes::{Lobe, Normals};
 use groundtruth::math::{Normal, Ray, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;
@@ -120,11 +120,14 @@ fn sphere_normal_not_unit(term: &ObservedTerm<'_>) -> Option<Rgb> {
 fn mirrored_once(term: &ObservedTerm<'_>) -> Option<Rgb> {
     /// Above the surface by this share of the distance from the viewer.
     const ABOVE: f64 = 1e-9;
-    let Some(Lobe::PerfectSpecular(_)) = term.traced() else { return None };
+    // at the depth limit no ray is cast
+    let (Some(Lobe::PerfectSpecular(_)), Some(_)) = (term.traced(), term.from) else { return None };
     let surface = term.ray.surface.as_ref().filter(|surface| surface.eta().is_none())?;
-    let n = surface.normals.shading;
-    let along = (n.dot(surface.wo) * n - surface.wo).unit()?;
-    let ray = Ray::new(surface.point + (ABOVE * surface.t) * n, along);
+    let Normals { shading, geometry } = surface.normals;
+    let along = (shading.dot(surface.wo) * shading - surface.wo).unit()?;
+    // below an interpolated normal's surface, but not below a ball, which such a ray touches
+    let side = if geometry.dot(along) < -1e-6 { -ABOVE } else { ABOVE };
+    let ray = Ray::new(surface.point + (side * surface.t) * geometry, along);
     let draws = term.world.draws([0, 0], 0);
     Some(term.term.weight * trace::radiance(term.world, &ray, draws, &mut ()))
 }

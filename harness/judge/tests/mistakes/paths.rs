@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use groundtruth::lights::Environment;
-use groundtruth::math::power;
+use groundtruth::math::{Point, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::*;
 use groundtruth::scene::{Depth, Scene, Tracer};
@@ -47,6 +47,8 @@ fn a_sky_that_counts_twice() {
 fn weights_of_two_ways_to_find_a_lamp() {
     let mut scene = under_a_sky(Tracer::Path(Depth { max_depth: 1 }), 1 << 14);
     scene.background = Rgb::BLACK.into();
+    // beside the lamp
+    scene.camera.eye = Point::ORIGIN + 10.0 * at_angle(60.0);
     let center = point(0.0, 2.0, 0.0);
     let disk = groundtruth::shapes::Disk { center, normal: vector(0.0, -1.0, 0.0), radius: 3.0 };
     add(&mut scene, "lamp", disk, groundtruth::materials::Emissive::new(1.0, Rgb::WHITE));

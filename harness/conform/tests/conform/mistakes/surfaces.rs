@@ -46,7 +46,7 @@ planted! {
         data["point"] =
             json!([x, y.floor() + z - z.floor(), z.floor() + y - y.floor()]);
     });
-    OCTAVES_REVERSED in ["noise.lattice.sums", "noise.given"] =>
+    OCTAVES_REVERSED in ["noise.lattice.sums"] =>
         Question(|data| at(data, "/noise/gain", |gain| 1.0 / gain));
     "one table for all seeds" in ["noise.lattice.seeds"] =>
         Question(|data| data["noise"]["seed"] = json!(1));
@@ -54,8 +54,9 @@ planted! {
     IMAGE_TRANSPOSED in ["texture.image.spherical", "texture.image.bilinear_by_the_book"] => Question(|data| {
         let texels: Vec<Vec<Value>> =
             serde_json::from_value(data["texture"]["image"]["texels"].clone()).expect("rows");
-        let column = |x: usize| texels.iter().rev().map(|row| row[x].clone()).collect::<Value>();
-        data["texture"]["image"]["texels"] = (0..texels[0].len()).rev().map(column).collect();
+        let column = |x: usize| texels.iter().rev().filter_map(|row| row.get(x).cloned()).collect::<Value>();
+        let width = texels.first().map_or(0, Vec::len);
+        data["texture"]["image"]["texels"] = (0..width).rev().map(column).collect();
     });
     AZIMUTH_OFF in ["mapping.spherical.values", "mapping.cylindrical.values"] => Answer(|q, mut a| {
         if data(q)["point"][0].as_f64() < Some(0.0) {
