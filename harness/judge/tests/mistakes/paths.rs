@@ -54,13 +54,15 @@ fn weights_of_two_ways_to_find_a_lamp() {
     add(&mut scene, "lamp", disk, groundtruth::materials::Emissive::new(1.0, Rgb::WHITE));
     light(&mut scene, groundtruth::lights::Area { object: "lamp".to_owned(), sampling: None });
     let whole = KD * 9.0 / 13.0;
+    /// Of means over 2¹⁴ samples; two heuristics change the light by 1.1 %.
+    const SMALL: f64 = 0.005;
     for (name, form) in [
         ("mis-two-heuristics", "the other way round"),
         ("mis-other-weight", "or where a path hits them"),
     ] {
         let [one, other] = [value(&with(name, &scene)), value(&with_form(name, form, &scene))];
-        assert!((one / whole - 1.0).abs() > 2.0 * NOISE, "{name}: {one} is as bright as {whole}");
-        assert!((0.5 * (one + other) / whole - 1.0).abs() < NOISE, "{name}: {one}, {other}");
+        assert!((one / whole - 1.0).abs() > 1.6 * SMALL, "{name}: {one} is as bright as {whole}");
+        assert!((0.5 * (one + other) / whole - 1.0).abs() < SMALL, "{name}: {one}, {other}");
     }
 }
 
