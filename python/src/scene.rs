@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use explain::PixelExplanation;
+use ::explain::PixelExplanation;
 use groundtruth::film::Film;
-use groundtruth::scene::{self, Scene, Tracer};
+use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, World};
 use keep::{PixelPage, SmallPicture};
 use pictures::compare;
@@ -148,8 +148,7 @@ pub fn explain(
     if let Some(index) = sample.filter(|&index| index >= count) {
         return Err(wrong(format!("no sample {index}: the pixel has {count}, numbered from 0")));
     }
-    let explanation =
-        py.detach(|| explain::pixel(&built.scene, &built.world, pixel, sample));
+    let explanation = py.detach(|| ::explain::pixel(&built.scene, &built.world, pixel, sample));
     let explanation = explanation.map_err(wrong)?;
     let name = if gallery::find(scene).is_some() { scene } else { "scene.toml" }.to_owned();
     Ok(Explained { built, name, explanation })
