@@ -17,7 +17,7 @@
 //! ```
 //!
 //! A struct is read, written and described, and refuses unknown fields. The type of a field says its
-//! range (the names in [`RANGES`]): `check_ranges` names the first field outside it, and the schema
+//! range (the names in `RANGES`): `check_ranges` names the first field outside it, and the schema
 //! says which numbers are lengths. A field is required, but
 //!
 //! - `Option`: may be left out, and is not written where it is `None`;

@@ -1,9 +1,6 @@
 //! The Fresnel transmitter (Suffern, ch. 28): refraction whose strength depends on the angle.
 
-use super::{
-    Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract,
-    relative,
-};
+use super::{Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract, relative};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;

@@ -2,8 +2,7 @@
 
 use super::phong::{self, Phong};
 use super::{
-    Boundary, Made, Material, Medium, Response, Specification, TexturedField, made,
-    within,
+    Boundary, Made, Material, Medium, Response, Specification, TexturedField, made, within,
 };
 use crate::kinds::Resources;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};

@@ -1,10 +1,7 @@
 //! The emissive material (Suffern, ch. 18 and 24): a surface that shines.
 
 use super::matte::{self, Matte};
-use super::{
-    Made, Material, Response, Specification, TexturedField, made, 
-    textured, within,
-};
+use super::{Made, Material, Response, Specification, TexturedField, made, textured, within};
 use crate::kinds::{self, Resources};
 use crate::materials::Emission;
 use crate::textures::{Amount, Paint, TexturePoint};

@@ -2,8 +2,7 @@
 
 use super::phong::{self, Phong};
 use super::{
-    Made, Material, Response, Specification, TexturedField, built_exponent, 
-    made, textured, within,
+    Made, Material, Response, Specification, TexturedField, built_exponent, made, textured, within,
 };
 use crate::kinds::{self, Resources};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};

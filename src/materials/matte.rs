@@ -1,8 +1,6 @@
 //! The matte material (Suffern, ch. 14).
 
-use super::{
-    Made, Material, Response, Specification, TexturedField, made, textured,
-};
+use super::{Made, Material, Response, Specification, TexturedField, made, textured};
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
 use crate::lobes::{Lambertian, NormalKind};

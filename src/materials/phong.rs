@@ -2,8 +2,7 @@
 
 use super::matte::{self, Matte};
 use super::{
-    Made, Material, Response, Specification, TexturedField, built_exponent, 
-    made, textured,
+    Made, Material, Response, Specification, TexturedField, built_exponent, made, textured,
 };
 use crate::invalid::Invalid;
 use crate::kinds::Resources;

@@ -1,10 +1,7 @@
 //! The reflective material (Suffern, ch. 24): a mirror over Phong shading.
 
 use super::phong::{self, Phong};
-use super::{
-    Made, Material, Response, Specification, TexturedField, made,
-    textured, within,
-};
+use super::{Made, Material, Response, Specification, TexturedField, made, textured, within};
 use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};

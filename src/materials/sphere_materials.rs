@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{
-    Kind, Made, Material, Response, Specification, TexturedField, made,
-    within,
-};
+use super::{Kind, Made, Material, Response, Specification, TexturedField, made, within};
 use crate::invalid::Invalid;
 use crate::kinds::Resources;
 use crate::textures::{SphereCells, TexturePoint};

@@ -1,10 +1,7 @@
 //! The simple transparent material (Suffern, ch. 27): constant shares, reflected and refracted.
 
 use super::phong::{self, Phong};
-use super::{
-    Made, Material, Response, Specification, TexturedField, made,
-    textured, within,
-};
+use super::{Made, Material, Response, Specification, TexturedField, made, textured, within};
 use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
 use crate::math::Index;
