@@ -50,6 +50,7 @@ pub fn unaccelerated(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> La
     Ok(match (number(&answers[0]["t"]), number(&answers[1]["t"])) {
         (None, None) if answers.iter().all(Value::is_null) => Judgement::Right(0.0),
         (None, None) => return missing("t"),
+        (Some(t), Some(other)) if t == other => Judgement::Right(0.0),
         (Some(t), Some(other)) => {
             match within(profile, "t", (t - other).abs() / t.abs(), || expected.clone()) {
                 Judgement::Wrong(_) => wrong("t", expected),
