@@ -116,7 +116,7 @@ impl SectionView {
             ui.weak("This ray hits nothing, so there is no plane of incidence.");
             return;
         };
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.strong(&drawing.title);
             let hint = "wheel: zoom · drag: move · double click: all of it";
             if ui.small_button("Copy as SVG").on_hover_text(hint).clicked() {
