@@ -19,8 +19,8 @@ struct Frame {
     ray: RaySoFar,
     /// Without a mistake, and with each.
     sums: Vec<Rgb>,
-    /// The last ray from its hit, and what arrived along it.
-    child: Option<(Ray, Vec<Rgb>)>,
+    /// The last ray from its hit, if it was cast, and what arrived along it.
+    child: Option<(Option<Ray>, Vec<Rgb>)>,
 }
 
 impl Frame {
@@ -34,7 +34,7 @@ impl Frame {
     ) -> ObservedTerm<'a> {
         let child = self.child.as_ref().filter(|_| is_of_child(&term.source));
         let arriving = child.map_or(term.arriving, |(_, radiance)| radiance[index]);
-        let from = child.map(|(ray, _)| ray);
+        let from = child.and_then(|(ray, _)| ray.as_ref());
         ObservedTerm { world, ray: &self.ray, term, arriving, from, is_last_sample }
     }
 }
@@ -154,7 +154,7 @@ impl Recorder for Reweighing<'_> {
         }
     }
 
-    fn leave(&mut self, _: Outcome, transmittance: Rgb, _: Rgb) {
+    fn leave(&mut self, outcome: Outcome, transmittance: Rgb, _: Rgb) {
         let is_last_sample = self.is_last_sample;
         let Frame { ray, mut sums, child } = self.frames.pop().expect("a ray is under way");
         sums[0] = transmittance * sums[0];
@@ -165,7 +165,8 @@ impl Recorder for Reweighing<'_> {
         self.spare.extend(child.map(|(_, radiance)| radiance));
         match self.frames.last_mut() {
             Some(before) => {
-                let replaced = before.child.replace((ray.ray, sums));
+                let was_cast = !matches!(outcome, Outcome::TooDeep | Outcome::OverBudget);
+                let replaced = before.child.replace((was_cast.then_some(ray.ray), sums));
                 self.spare.extend(replaced.map(|(_, radiance)| radiance));
             }
             None => {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use testkit::properties::*;
 use toml::Value;
 
-use super::not_finite::everything;
+use super::not_finite::{everything, only};
 use super::places::{Place, at, places};
 use crate::prelude::*;
 
@@ -75,14 +75,14 @@ fn whole() -> (Value, Vec<(Place, bool)>) {
 
 /// Checks the error, if there is one, of the document with another key or text at a place.
 fn check_error(document: &Value, (place, is_key): &(Place, bool), name: &str) {
-    let mut document = document.clone();
+    let (mut document, place) = only(document, place);
     match place.split_last().filter(|_| *is_key) {
         Some((key, around)) => {
             let table = at(&mut document, around).as_table_mut().expect("it has keys");
             let inner = table.remove(key).expect("its key");
             table.insert(name.to_owned(), inner);
         }
-        None => *at(&mut document, place) = Value::String(name.to_owned()),
+        None => *at(&mut document, &place) = Value::String(name.to_owned()),
     }
     if let Err(error) = scenefile::from_toml(&written(&document), Path::new("scene.toml")) {
         check_shown(&error.to_string(), name);

@@ -89,9 +89,10 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
 }
 
 /// The scene with that item of its lists in which the place is, and those that it names; and the place in it.
-fn only(whole: &Value, place: &[String]) -> (Value, Vec<String>) {
+/// A place in no item is one of the scene with empty lists.
+pub fn only(whole: &Value, place: &[String]) -> (Value, Vec<String>) {
     let (mut scene, mut place) = (whole.clone(), place.to_vec());
-    let part = place[0].clone();
+    let part = if place.len() > 1 { place[0].clone() } else { String::new() };
     for list in ["materials", "lights", "objects"] {
         let mut index = 0;
         let is_kept = |item: &Value| {
