@@ -6,7 +6,7 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use groundtruth::filters;
 use groundtruth::math::{Pcg32, maps};
-use groundtruth::samplers::{self, Key, Purpose, SampleSets};
+use groundtruth::samplers::{self, Purpose, SampleSets, SetKey};
 
 /// Samples per pixel.
 const N: u32 = 64;
@@ -25,7 +25,7 @@ fn draws(c: &mut Criterion) {
         group.bench_function(name, |b| {
             b.iter(|| {
                 count += 1;
-                let key = Key::new(0, [black_box(count / N), 7], Purpose::Pixel);
+                let key = SetKey::new(0, [black_box(count / N), 7], Purpose::Pixel);
                 sets.draw(key, count % N)
             });
         });

@@ -16,7 +16,7 @@ pub struct Ambient {
 }
 
 #[derive(Debug)]
-struct Constant {
+struct ConstantLight {
     radiance: Rgb,
 }
 
@@ -27,11 +27,11 @@ impl Specification for Ambient {
 
     fn make(&self, _: &mut Context) -> Made {
         let radiance = self.ls * self.color.checked("color")?;
-        made(Constant { radiance })
+        made(ConstantLight { radiance })
     }
 }
 
-impl Light for Constant {
+impl Light for ConstantLight {
     fn is_ambient(&self) -> bool {
         true
     }

@@ -22,7 +22,7 @@ pub struct JitteredDirectional {
 }
 
 #[derive(Debug)]
-struct Jittered {
+struct JitteredLight {
     radiance: Rgb,
     direction: Vector,
     jitter: f64,
@@ -35,7 +35,7 @@ impl Specification for JitteredDirectional {
         f(ωi, ωo) · ls · color · cosθ where no object blocks the half-line along ωi.";
 
     fn make(&self, _: &mut Context) -> Made {
-        made(Jittered {
+        made(JitteredLight {
             radiance: self.ls * self.color.checked("color")?,
             direction: direction("direction", self.direction)?.into(),
             jitter: self.jitter,
@@ -43,7 +43,7 @@ impl Specification for JitteredDirectional {
     }
 }
 
-impl Light for Jittered {
+impl Light for JitteredLight {
     fn draws(&self) -> usize {
         2
     }

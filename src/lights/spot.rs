@@ -32,7 +32,7 @@ pub struct Spot {
 }
 
 #[derive(Debug)]
-struct Cone {
+struct SpotCone {
     radiance: Rgb,
     location: math::Point,
     axis: Normal,
@@ -50,7 +50,7 @@ impl Specification for Spot {
 
     fn make(&self, _: &mut Context) -> Made {
         let outer = within("outer", self.outer, 0.0..=180.0)?;
-        made(Cone {
+        made(SpotCone {
             radiance: self.ls * self.color.checked("color")?,
             location: self.location,
             axis: direction("direction", self.direction)?,
@@ -61,7 +61,7 @@ impl Specification for Spot {
     }
 }
 
-impl Cone {
+impl SpotCone {
     /// The share of light that goes into this direction: `s² (3 − 2s)`, s from 1 at `inner` to 0 at
     /// `outer`.
     fn share(&self, direction: Vector) -> f64 {
@@ -78,7 +78,7 @@ impl Cone {
     }
 }
 
-impl Light for Cone {
+impl Light for SpotCone {
     fn sample(&self, from: &LightContext, _: &[[f64; 2]]) -> Option<LightSample> {
         let sample = from_point(from.point, self.location, self.radiance, self.attenuation)?;
         let share = self.share(-sample.direction);

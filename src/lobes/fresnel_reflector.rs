@@ -1,6 +1,6 @@
 //! The Fresnel reflector (Suffern, ch. 28): a mirror whose strength depends on the angle.
 
-use super::{Branch, Claims, LobeSample, Scatter, fresnel, mirrored, relative};
+use super::{Branch, Claims, LobeSample, Scattering, fresnel, mirrored, relative};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -12,7 +12,7 @@ pub struct FresnelReflector {
     pub eta: f64,
 }
 
-impl Scatter for FresnelReflector {
+impl Scattering for FresnelReflector {
     const BRANCH: Branch = Branch::Mirror;
 
     fn claims(&self) -> Claims {

@@ -1,6 +1,6 @@
 //! The Fresnel transmitter (Suffern, ch. 28): refraction whose strength depends on the angle.
 
-use super::{Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract, relative};
+use super::{Branch, Claims, LobeSample, Scattering, fresnel, normal_towards, refract, relative};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -12,7 +12,7 @@ pub struct FresnelTransmitter {
     pub eta: f64,
 }
 
-impl Scatter for FresnelTransmitter {
+impl Scattering for FresnelTransmitter {
     const BRANCH: Branch = Branch::Refraction;
 
     fn claims(&self) -> Claims {

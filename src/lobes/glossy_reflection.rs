@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
+use super::{Branch, Claims, LobeSample, Scattering, cosine_power, drawn};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -43,7 +43,7 @@ impl GlossyReflection {
     }
 }
 
-impl Scatter for GlossyReflection {
+impl Scattering for GlossyReflection {
     const BRANCH: Branch = Branch::Gloss;
 
     fn claims(&self) -> Claims {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Branch, Claims, LobeSample, Scatter, cosine_power, drawn};
+use super::{Branch, Claims, LobeSample, Scattering, cosine_power, drawn};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -17,7 +17,7 @@ pub struct GlossySpecular {
     pub exponent: f64,
 }
 
-impl Scatter for GlossySpecular {
+impl Scattering for GlossySpecular {
     const BRANCH: Branch = Branch::Highlight;
 
     fn claims(&self) -> Claims {

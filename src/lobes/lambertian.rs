@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
-use super::{Branch, Claims, LobeSample, Scatter};
+use super::{Branch, Claims, LobeSample, Scattering};
 use crate::invalid::Invalid;
 use crate::math::{Vector, maps};
 use crate::rgb::Rgb;
@@ -14,7 +14,7 @@ pub struct Lambertian {
     pub reflectance: Rgb,
 }
 
-impl Scatter for Lambertian {
+impl Scattering for Lambertian {
     const BRANCH: Branch = Branch::Diffuse;
 
     fn claims(&self) -> Claims {

@@ -69,7 +69,7 @@ pub enum Branch {
 }
 
 /// What a kind of lobe answers.
-trait Scatter {
+trait Scattering {
     /// The name of the paths it sends on; it also says whether light samples meet the lobe.
     const BRANCH: Branch;
 
@@ -268,7 +268,7 @@ fn outside(wo: Vector, wi: Vector) -> bool {
 }
 
 /// The sample of a lobe that drew this direction; `None` unless viewer and light are outside.
-fn drawn(lobe: &impl Scatter, wo: Vector, wi: Vector) -> Option<LobeSample> {
+fn drawn(lobe: &impl Scattering, wo: Vector, wi: Vector) -> Option<LobeSample> {
     if !outside(wo, wi) {
         return None;
     }

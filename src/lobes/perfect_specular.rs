@@ -1,6 +1,6 @@
 //! The perfect mirror (Suffern, ch. 24).
 
-use super::{Branch, Claims, LobeSample, Scatter, mirrored};
+use super::{Branch, Claims, LobeSample, Scattering, mirrored};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -15,7 +15,7 @@ pub struct PerfectSpecular {
     pub reflectance: Rgb,
 }
 
-impl Scatter for PerfectSpecular {
+impl Scattering for PerfectSpecular {
     const BRANCH: Branch = Branch::Mirror;
 
     fn claims(&self) -> Claims {

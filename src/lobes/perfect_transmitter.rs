@@ -1,7 +1,7 @@
 //! The perfect transmitter (Suffern, ch. 27): refraction with a constant weight.
 
 use super::refract::cos_refracted;
-use super::{Branch, Claims, LobeSample, Scatter, normal_towards, refract, relative};
+use super::{Branch, Claims, LobeSample, Scattering, normal_towards, refract, relative};
 use crate::invalid::{Invalid, index_ratio, not_negative};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -25,7 +25,7 @@ impl PerfectTransmitter {
     }
 }
 
-impl Scatter for PerfectTransmitter {
+impl Scattering for PerfectTransmitter {
     const BRANCH: Branch = Branch::Refraction;
 
     fn claims(&self) -> Claims {

@@ -8,7 +8,7 @@ use arrayvec::ArrayVec;
 
 use super::block::Block;
 use super::node::{LEAF, Node, WIDTH};
-use crate::accel::build::{Node as Binary, join};
+use crate::accel::build::{BuiltNode as Binary, join};
 use crate::math::Point;
 
 /// The cost of testing a node's boxes, in blocks of triangles.

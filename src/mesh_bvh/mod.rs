@@ -27,7 +27,7 @@ use crate::math::{Aabb, Point, Ray, Span};
 use block::Block;
 use node::Node;
 use space::Space;
-use walk::Search;
+use walk::Walk;
 
 pub use kernel::Kernel;
 
@@ -64,7 +64,7 @@ impl MeshBvh {
     /// The first hit: the candidate's `part` is its triangle, its parameters are β and γ. `counter`
     /// counts the cost.
     pub fn nearest(&self, ray: &Ray, span: Span, counter: &mut impl Counter) -> Option<Candidate> {
-        let mut search = Search::<_, false>::new(ray, span, counter);
+        let mut search = Walk::<_, false>::new(ray, span, counter);
         self.search(&mut search);
         search.found
     }
@@ -72,7 +72,7 @@ impl MeshBvh {
     /// Any hit.
     pub fn any(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let mut nobody = ();
-        let mut search = Search::<_, true>::new(ray, span, &mut nobody);
+        let mut search = Walk::<_, true>::new(ray, span, &mut nobody);
         self.search(&mut search);
         search.found
     }

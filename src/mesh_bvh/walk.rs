@@ -15,7 +15,7 @@ use crate::math::watertight::ShearedRay;
 use crate::math::{Ray, Span};
 
 /// A search along a ray for the nearest hit, or for any hit if `ANY`.
-pub struct Search<'a, C, const ANY: bool> {
+pub struct Walk<'a, C, const ANY: bool> {
     ray: &'a Ray,
     sheared: ShearedRay,
     /// Hits inside it can still replace the one found.
@@ -27,7 +27,7 @@ pub struct Search<'a, C, const ANY: bool> {
     counter: &'a mut C,
 }
 
-impl<'a, C: Counter, const ANY: bool> Search<'a, C, ANY> {
+impl<'a, C: Counter, const ANY: bool> Walk<'a, C, ANY> {
     #[inline(always)]
     pub fn new(ray: &'a Ray, span: Span, counter: &'a mut C) -> Self {
         let sheared = ShearedRay::new(ray);
@@ -67,7 +67,7 @@ enum Stop {
 impl MeshBvh {
     /// Tests every triangle that may have a hit in the search's span, until the search is finished.
     #[inline(always)]
-    pub(super) fn search<C: Counter, const ANY: bool>(&self, search: &mut Search<'_, C, ANY>) {
+    pub(super) fn search<C: Counter, const ANY: bool>(&self, search: &mut Walk<'_, C, ANY>) {
         let mut room = Stack::ROOM;
         let stack = Stack { room: &mut room, len: 0 };
         if let Stop::Undecided { leaf, slots, waiting } = self.walk_by_kernel(search, 0, stack) {
@@ -80,7 +80,7 @@ impl MeshBvh {
     #[cold]
     fn go_on<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         (mut leaf, mut slots, mut waiting): (u32, u8, u16),
         room: &mut Room,
     ) {
@@ -103,7 +103,7 @@ impl MeshBvh {
     #[allow(unsafe_code, reason = "calls what not every processor can run")]
     fn walk_by_kernel<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         from: u32,
         stack: Stack,
     ) -> Stop {
@@ -120,7 +120,7 @@ impl MeshBvh {
     #[inline(never)]
     fn walk_plain<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         from: u32,
         stack: Stack,
     ) -> Stop {
@@ -131,7 +131,7 @@ impl MeshBvh {
     #[target_feature(enable = "avx2,fma,bmi1")]
     fn walk_avx2<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         from: u32,
         stack: Stack,
     ) -> Stop {
@@ -142,7 +142,7 @@ impl MeshBvh {
     #[target_feature(enable = "avx2,fma,bmi1,avx512f,avx512vl")]
     fn walk_avx512<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         from: u32,
         stack: Stack,
     ) -> Stop {
@@ -153,7 +153,7 @@ impl MeshBvh {
     #[inline(always)]
     fn walk<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         from: u32,
         mut stack: Stack,
         kernel: Kernel,
@@ -263,7 +263,7 @@ impl MeshBvh {
     #[inline(always)]
     fn decide<C: Counter, const ANY: bool>(
         &self,
-        search: &mut Search<'_, C, ANY>,
+        search: &mut Walk<'_, C, ANY>,
         leaf: u32,
         mut slots: u8,
     ) -> bool {

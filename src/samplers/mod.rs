@@ -31,7 +31,7 @@ use std::fmt::Debug;
 
 use crate::math::Pcg32;
 
-pub use sets::{Draws, Key, PathKey, Purpose, SETS, SampleSets};
+pub use sets::{Draws, PathKey, Purpose, SETS, SampleSets, SetKey};
 
 /// A way to spread points over the unit square. Contract: `tests/contracts/sampler.rs`.
 pub trait Sampler: Debug + Send + Sync {

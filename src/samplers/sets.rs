@@ -102,19 +102,19 @@ impl<'a> Draws<'a> {
 
     /// Two numbers in `[0, 1)`.
     pub fn draw(&self, purpose: Purpose) -> [f64; 2] {
-        self.sets.draw(Key { pixel: self.pixel, purpose }, self.index)
+        self.sets.draw(SetKey { pixel: self.pixel, purpose }, self.index)
     }
 }
 
 /// The name of a draw, which determines set and permutation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Key {
+pub struct SetKey {
     /// The hash of seed and pixel, which all draws of the pixel share.
     pixel: u64,
     purpose: Purpose,
 }
 
-impl Key {
+impl SetKey {
     /// The draw for this purpose in this pixel.
     pub fn new(seed: u64, pixel: [u32; 2], purpose: Purpose) -> Self {
         Self { pixel: pixel_hash(seed, pixel), purpose }
@@ -179,7 +179,7 @@ impl SampleSets {
     ///
     /// The order is one of the 83 permutations, rotated by a random offset. Without the offset, one
     /// pixel in 83 would use the same permutation for two draws and pair their strata.
-    pub fn draw(&self, key: Key, index: u32) -> [f64; 2] {
+    pub fn draw(&self, key: SetKey, index: u32) -> [f64; 2] {
         if let Some(only) = self.only {
             return only; // saves the hashes: a tenth of a simple scene's time
         }

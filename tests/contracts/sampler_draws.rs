@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use groundtruth::math::{Pcg32, floor};
-use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
+use groundtruth::samplers::{Kind, Purpose, SETS, SampleSets, SetKey};
 use statistics::chi_square;
 use statistics::ks;
 
@@ -22,7 +22,7 @@ pub fn a_draw_is_uniform_over_the_square(kind: &Kind) -> Holds {
     }
     for n in [1, 16] {
         let draw = |seed: u32| {
-            let key = Key::new(seed.into(), [seed % 7, 3], Purpose::Pixel);
+            let key = SetKey::new(seed.into(), [seed % 7, 3], Purpose::Pixel);
             SampleSets::new(&*sampler, n, seed.into()).draw(key, seed % n)
         };
         let draws: Vec<[f64; 2]> = (0..SEEDS).map(draw).collect();
@@ -48,7 +48,7 @@ pub fn neighbouring_pixels_are_not_correlated(kind: &Kind) -> Holds {
     // 9 specimens, 12 pairs: two-sided 1e-3 for all of them
     const MAX_SIGMAS: f64 = 4.5;
     let sets = SampleSets::new(&*built(kind), 16, 1);
-    let draw = |x, y, i| sets.draw(Key::new(3, [x, y], Purpose::Pixel), i);
+    let draw = |x, y, i| sets.draw(SetKey::new(3, [x, y], Purpose::Pixel), i);
     for (dx, dy, later) in [(1, 0, 0), (0, 1, 0), (1, 1, 0), (2, 0, 0), (0, 0, 16), (16, 16, 0)] {
         for axis in 0..2 {
             let pixels = (0..SIDE * SIDE).map(|i| (i % SIDE, i / SIDE));
@@ -91,7 +91,7 @@ pub fn a_run_of_draws_uses_up_one_set(kind: &Kind) -> Holds {
         let mut used = BTreeSet::new();
         let mut shifts = BTreeSet::new();
         for x in 0..50 {
-            let key = Key::new(3, [x, 7], Purpose::Pixel);
+            let key = SetKey::new(3, [x, 7], Purpose::Pixel);
             for run in 0..3 {
                 let draws: Vec<_> =
                     (0..per_set).map(|i| sets.draw(key, run * per_set + i)).collect();
@@ -143,8 +143,8 @@ fn bits(points: &[[f64; 2]]) -> Vec<[u64; 2]> {
 pub fn draws_are_pure(kind: &Kind) -> Holds {
     let sampler = built(kind);
     let (sets, again) = (SampleSets::new(&*sampler, 16, 1), SampleSets::new(&*sampler, 16, 1));
-    let key = |seed: u64, x: u32, y: u32| Key::new(seed, [x, y], Purpose::Pixel);
-    let draws = |key: Key, start: u32| -> Vec<[f64; 2]> {
+    let key = |seed: u64, x: u32, y: u32| SetKey::new(seed, [x, y], Purpose::Pixel);
+    let draws = |key: SetKey, start: u32| -> Vec<[f64; 2]> {
         (start..start + 64).map(|i| sets.draw(key, i)).collect()
     };
     let here = draws(key(1, 3, 5), 0);

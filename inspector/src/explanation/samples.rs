@@ -5,7 +5,7 @@ use eframe::egui::{
 };
 use explain::{PixelExplanation, RecordedRay};
 use groundtruth::render;
-use groundtruth::samplers::{self, Key, PathKey, Purpose};
+use groundtruth::samplers::{self, PathKey, Purpose, SetKey};
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
 use text::brief::{count, short};
@@ -69,7 +69,7 @@ impl Samples {
         let drawn = render::camera_sample(world, pixel, 0).map(|sample| sample.pixel);
         let count = if drawn.is_some() { count } else { 0 };
         let drawn = drawn.unwrap_or_default();
-        let draw = |purpose, index| world.samples.draw(Key::new(world.seed, drawn, purpose), index);
+        let draw = |what, index| world.samples.draw(SetKey::new(world.seed, drawn, what), index);
         let centered = |[x, y]: [f64; 2]| [2.0 * x - 1.0, 2.0 * y - 1.0];
         let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
         let lens = |i| render::camera_sample(world, pixel, i)?.lens;

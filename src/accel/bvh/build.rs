@@ -17,7 +17,7 @@ pub struct Item {
 /// A node of a binary tree over `count` primitives, which has `2·count − 1` nodes in depth-first
 /// order: the left half follows its parent, and the right half follows that.
 #[derive(Clone, Copy, Debug)]
-pub struct Node {
+pub struct BuiltNode {
     pub bounds: Aabb,
     pub count: u32,
 }
@@ -41,21 +41,21 @@ impl Item {
 
 /// The tree over `items`, which it puts in the order of the tree's leaves; no nodes if there are
 /// none.
-pub fn binary_tree(items: &mut [Item]) -> Vec<Node> {
+pub fn binary_tree(items: &mut [Item]) -> Vec<BuiltNode> {
     if items.is_empty() {
         return Vec::new();
     }
-    let nowhere = Node { bounds: Aabb::EMPTY, count: 0 };
+    let nowhere = BuiltNode { bounds: Aabb::EMPTY, count: 0 };
     let mut tree = vec![nowhere; 2 * items.len() - 1];
     subtree(items, &mut tree, 0);
     tree
 }
 
-fn subtree(items: &mut [Item], tree: &mut [Node], depth: usize) {
+fn subtree(items: &mut [Item], tree: &mut [BuiltNode], depth: usize) {
     let count = items.len();
     let bounds = items.iter().fold(Aabb::EMPTY, |all, item| all.union(item.bounds));
     let (root, below) = tree.split_first_mut().expect("a tree has a root");
-    *root = Node { bounds, count: count as u32 };
+    *root = BuiltNode { bounds, count: count as u32 };
     if count == 1 {
         return;
     }
@@ -91,14 +91,14 @@ fn partition(items: &mut [Item], is_low: impl Fn(&Item) -> bool) -> usize {
 }
 
 /// A split between two bins of an axis.
-struct Plane {
+struct Split {
     axis: usize,
     start: f64,
     bins_per_length: f64,
     first_high: usize,
 }
 
-impl Plane {
+impl Split {
     /// The bins of an axis; `None` if all centres coincide on it.
     fn new(axis: usize, centers: &Aabb) -> Option<Self> {
         let [start, end] = [centers.min, centers.max].map(|corner| corner.along(axis));
@@ -117,12 +117,12 @@ impl Plane {
 type Bin = (u32, Aabb);
 
 /// The split of the least expected cost over all axes; `None` if all centres coincide.
-fn cheapest_plane(items: &[Item]) -> Option<Plane> {
+fn cheapest_plane(items: &[Item]) -> Option<Split> {
     let centers = items.iter().fold(Aabb::EMPTY, |all, item| {
         let center = item.center();
         all.union(Aabb { min: center, max: center })
     });
-    let planes: ArrayVec<_, 3> = (0..3).filter_map(|axis| Plane::new(axis, &centers)).collect();
+    let planes: ArrayVec<_, 3> = (0..3).filter_map(|axis| Split::new(axis, &centers)).collect();
     let mut bins = [[(0, Aabb::EMPTY); BINS]; 3];
     for item in items {
         for (plane, bins) in planes.iter().zip(&mut bins) {
@@ -131,7 +131,7 @@ fn cheapest_plane(items: &[Item]) -> Option<Plane> {
             *bounds = bounds.union(item.bounds);
         }
     }
-    let mut best: Option<(f64, Plane)> = None;
+    let mut best: Option<(f64, Split)> = None;
     for (mut plane, bins) in planes.into_iter().zip(&bins) {
         let (cost, first_high) = cheapest_border(bins);
         plane.first_high = first_high;

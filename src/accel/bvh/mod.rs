@@ -7,13 +7,13 @@ use arrayvec::ArrayVec;
 
 use super::Counter;
 use crate::math::{Aabb, BoxRay, Span, TwoBoxes};
-use build::{Item, MAX_DEPTH, Node, binary_tree};
+use build::{BuiltNode, Item, MAX_DEPTH, binary_tree};
 
 #[derive(Debug)]
 pub struct Bvh {
     /// The box of all, and the top of the tree; none if there are no primitives.
     root: Option<(Aabb, Child)>,
-    branches: Vec<Branch>,
+    branches: Vec<Fork>,
     /// The primitives in the order of the leaves, from left to right.
     order: Vec<u32>,
 }
@@ -21,7 +21,7 @@ pub struct Bvh {
 /// A place where the tree divides. Both boxes stand here, so that the walk looks at memory once for
 /// two tests.
 #[derive(Debug)]
-struct Branch {
+struct Fork {
     boxes: TwoBoxes,
     children: [Child; 2],
 }
@@ -76,7 +76,7 @@ impl Bvh {
             // descend by the nearer children to a leaf; push the farther ones
             while let Child::Branch(number) = child {
                 counter.step();
-                let Branch { boxes, children: [left, right] } = &self.branches[number as usize];
+                let Fork { boxes, children: [left, right] } = &self.branches[number as usize];
                 let [l, r] = ray.crossings(boxes, span.min, end);
                 child = match (l.0 <= l.1, r.0 <= r.1) {
                     (true, true) if l.0 < r.0 => {
@@ -109,7 +109,7 @@ impl Bvh {
 }
 
 /// All nodes with two children, in depth-first order.
-fn branches(nodes: &[Node]) -> Vec<Branch> {
+fn branches(nodes: &[BuiltNode]) -> Vec<Fork> {
     let mut leaves = 0; // before this node
     let mut branches = Vec::with_capacity(nodes.len() / 2);
     for (at, node) in nodes.iter().enumerate() {
@@ -121,13 +121,13 @@ fn branches(nodes: &[Node]) -> Vec<Branch> {
         let [left, right] = [at + 1, at + 2 * on_left as usize];
         let boxes = TwoBoxes::new(&nodes[left].bounds, &nodes[right].bounds);
         let children = [child(nodes, left, leaves), child(nodes, right, leaves + on_left)];
-        branches.push(Branch { boxes, children });
+        branches.push(Fork { boxes, children });
     }
     branches
 }
 
 /// The node at an index of the depth-first order, which has so many leaves before it, and all
 /// others are branches.
-fn child(nodes: &[Node], at: usize, leaves: u32) -> Child {
+fn child(nodes: &[BuiltNode], at: usize, leaves: u32) -> Child {
     if nodes[at].count == 1 { Child::Leaf(leaves) } else { Child::Branch(at as u32 - leaves) }
 }

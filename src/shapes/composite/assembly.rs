@@ -61,7 +61,7 @@ pub fn solid(
 /// Parts that are hit as one shape.
 #[derive(Debug)]
 pub struct Assembly {
-    parts: Vec<Part>,
+    parts: Vec<Named>,
     /// The number of each part's first leaf, and of all leaves.
     leaves: Vec<u64>,
     accel: Accel,
@@ -69,7 +69,7 @@ pub struct Assembly {
 }
 
 #[derive(Debug)]
-struct Part {
+struct Named {
     name: Box<str>,
     shape: Arc<dyn Shape>,
     material: Option<u32>,
@@ -95,12 +95,12 @@ impl Assembly {
             let (shape, casts_shadows) =
                 context.part(part.shape, material).map_err(|e| here(e.inside("shape")))?;
             let (name, material) = (part.name.into(), material.map(|m| m.index));
-            built.push(Part { name, shape, material, casts_shadows });
+            built.push(Named { name, shape, material, casts_shadows });
         }
         Self::of(built, accel, context).map_err(|e| e.inside(field))
     }
 
-    fn of(parts: Vec<Part>, accel: Option<Method>, context: &Context) -> Result<Self, Invalid> {
+    fn of(parts: Vec<Named>, accel: Option<Method>, context: &Context) -> Result<Self, Invalid> {
         let mut leaves = vec![0_u64];
         for part in &parts {
             let so_far = leaves[leaves.len() - 1];
@@ -161,7 +161,7 @@ impl Shape for Assembly {
 
     fn within(&self, at: &Candidate) -> Within<'_> {
         let (index, within) = self.part(at);
-        let Part { name, shape, .. } = &self.parts[index];
+        let Named { name, shape, .. } = &self.parts[index];
         Within::Nested(&**shape, within, Role::Part(index as u32, name))
     }
 

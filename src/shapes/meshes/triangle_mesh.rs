@@ -110,9 +110,9 @@ impl TriangleMesh {
         let whole = bounds().fold(Aabb::EMPTY, Aabb::union);
         let structure = match method {
             accel::Method::Bvh => {
-                Structure::Mesh(MeshBvh::build(&self.vertices, &self.triangles, kernel))
+                MeshStructure::Mesh(MeshBvh::build(&self.vertices, &self.triangles, kernel))
             }
-            _ => Structure::General(Accel::build(method, &bounds().collect::<Vec<_>>())),
+            _ => MeshStructure::General(Accel::build(method, &bounds().collect::<Vec<_>>())),
         };
         AcceleratedMesh { structure, bounds: whole, mesh: Arc::new(self) }
     }
@@ -148,12 +148,12 @@ impl TriangleMesh {
 #[derive(Debug)]
 pub struct AcceleratedMesh {
     mesh: Arc<TriangleMesh>,
-    structure: Structure,
+    structure: MeshStructure,
     bounds: Aabb,
 }
 
 #[derive(Debug)]
-enum Structure {
+enum MeshStructure {
     Mesh(MeshBvh),
     General(Accel),
 }
@@ -173,8 +173,8 @@ impl AcceleratedMesh {
     /// The memory of the acceleration structure, without vertices and triangles.
     pub fn memory_bytes(&self) -> usize {
         match &self.structure {
-            Structure::Mesh(tree) => tree.memory_bytes(),
-            Structure::General(accel) => accel.memory_bytes(),
+            MeshStructure::Mesh(tree) => tree.memory_bytes(),
+            MeshStructure::General(accel) => accel.memory_bytes(),
         }
     }
 }
@@ -182,8 +182,8 @@ impl AcceleratedMesh {
 impl Shape for AcceleratedMesh {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         match &self.structure {
-            Structure::Mesh(tree) => tree.nearest(ray, span, &mut ()),
-            Structure::General(accel) => {
+            MeshStructure::Mesh(tree) => tree.nearest(ray, span, &mut ()),
+            MeshStructure::General(accel) => {
                 let first = accel.nearest(ray, span, &mut (), self.tested(ray));
                 first.map(|(_, candidate)| candidate)
             }
@@ -192,8 +192,8 @@ impl Shape for AcceleratedMesh {
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
         match &self.structure {
-            Structure::Mesh(tree) => tree.any(ray, span).map(|candidate| candidate.t),
-            Structure::General(accel) => {
+            MeshStructure::Mesh(tree) => tree.any(ray, span).map(|candidate| candidate.t),
+            MeshStructure::General(accel) => {
                 let test = self.tested(ray);
                 accel.any(ray, span, &mut (), |index| test(index, span)).map(|(_, at)| at.t)
             }

@@ -16,7 +16,7 @@ pub struct Angles {
     ends: [[f64; 2]; 2],
     width: Width,
     /// As the book tests them.
-    pub book: textbook::Angles,
+    pub book: textbook::BookAngles,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,7 @@ impl Angles {
             _ => Width::Narrow,
         };
         let ends = range.map(|angle| [cos_degrees(angle), sin_degrees(angle)]);
-        Ok(Self { ends, width, book: textbook::Angles::degrees(range) })
+        Ok(Self { ends, width, book: textbook::BookAngles::degrees(range) })
     }
 
     /// Whether the direction `[cos, sin]`, of any length, is in the range; `[0, 0]` is.

@@ -23,11 +23,11 @@ pub struct Rectangle {
     pub b: Displacement,
 }
 
-type RectangleShape = Trimmed<PlaneThrough, Side, Side>;
+type RectangleShape = Trimmed<PlaneThrough, SideTrim, SideTrim>;
 
 /// The points with `0 ≤ (p − p0)·a ≤ a·a` for one side a.
 #[derive(Clone, Debug)]
-struct Side {
+struct SideTrim {
     a: Vector,
     /// `|a|²`.
     square: f64,
@@ -68,19 +68,19 @@ impl Specification for Rectangle {
                 Sampling::SolidAngle => Box::new(BySolidAngle(it.clone())),
             })
         };
-        let rectangle = Trimmed::new(plane, (Side::along(a), Side::along(b)), size, bounds);
+        let rectangle = Trimmed::new(plane, (SideTrim::along(a), SideTrim::along(b)), size, bounds);
         made(Trimmed { sampler, ..rectangle })
     }
 }
 
-impl Side {
+impl SideTrim {
     fn along(a: Vector) -> Self {
         let square = a.length_squared();
         Self { a, square, length: square.sqrt() }
     }
 }
 
-impl Trim for Side {
+impl Trim for SideTrim {
     #[inline]
     fn has(&self, v: Vector) -> bool {
         let along = v.dot(self.a);

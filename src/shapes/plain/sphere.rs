@@ -33,7 +33,7 @@ impl Specification for Sphere {
         let sampler = |it: &Trimmed<Self>, sampling| -> Option<Box<dyn SampledSurface>> {
             Some(match sampling {
                 Sampling::Area => Box::new(ByArea(it.carrier.clone())),
-                Sampling::SolidAngle => Box::new(BySolidAngle(it.carrier.clone())),
+                Sampling::SolidAngle => Box::new(ByCone(it.carrier.clone())),
             })
         };
         made(Trimmed { sampler, ..Trimmed::whole(self.clone()) })
@@ -123,9 +123,9 @@ impl EvenSurface for Sphere {
 /// A sphere sampled evenly by solid angle: from outside in the cone of directions that meet it;
 /// from inside, where all of it is visible, by area.
 #[derive(Debug)]
-struct BySolidAngle(Sphere);
+struct ByCone(Sphere);
 
-impl BySolidAngle {
+impl ByCone {
     /// The axis of the cone, from `from` to the centre, and `1 − cosθ_max` of its half-angle;
     /// `None` inside.
     fn cone(&self, from: Point) -> Option<(Vector, f64)> {
@@ -143,7 +143,7 @@ impl BySolidAngle {
 /// would put them in front of the sphere or behind it.
 const RIM: f64 = 1.0 - 1e-12;
 
-impl SampledSurface for BySolidAngle {
+impl SampledSurface for ByCone {
     /// The map from the square to the disk keeps ratios of areas, and so does
     /// `1 − cosθ = ρ² (1 − cosθ_max)` from the disk to the cone. With d the distance of the centre,
     /// the angle α at the centre between `from` and the point has `sin(α + θ) = (d/r) sinθ`; from

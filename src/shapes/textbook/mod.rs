@@ -193,12 +193,12 @@ pub(super) fn schoolbook_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
 
 /// A range of angles in radians; a minimum above the maximum goes through 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Angles {
+pub(super) struct BookAngles {
     min: f64,
     max: f64,
 }
 
-impl Angles {
+impl BookAngles {
     /// The range between two angles in degrees, as scenes have them.
     pub(super) fn degrees([min, max]: [f64; 2]) -> Self {
         if max - min >= 360.0 {

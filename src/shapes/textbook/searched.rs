@@ -9,14 +9,14 @@ use crate::shapes::trimmed::Carrier;
 use crate::shapes::{Candidate, Shape, Sphere, TriangleMesh};
 
 #[derive(Debug)]
-struct Searched<F> {
+struct SearchedForms<F> {
     forms: Vec<F>,
     accel: Accel,
     /// The hit of the form of this index, as the library's shape numbers it.
     numbered: fn(u32, Candidate) -> Candidate,
 }
 
-impl<F: Form> Form for Searched<F> {
+impl<F: Form> Form for SearchedForms<F> {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let (index, at) = self.accel.nearest(ray, span, &mut (), |index, span| {
             self.forms[index as usize].first(ray, span)
@@ -66,5 +66,5 @@ fn searched<F: Form + 'static>(
     epsilon: f64,
 ) -> Arc<dyn Shape> {
     let accel = Accel::build(method, &bounds);
-    Arc::new(Textbook::new(Searched { forms, accel, numbered }, ours, epsilon))
+    Arc::new(Textbook::new(SearchedForms { forms, accel, numbered }, ours, epsilon))
 }

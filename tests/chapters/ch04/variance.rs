@@ -1,6 +1,6 @@
 //! How fast errors of known integrals fall with the number of samples.
 
-use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
+use groundtruth::samplers::{Kind, Purpose, SETS, SampleSets, SetKey};
 use statistics::means::one_sample;
 use statistics::slope::power_law;
 
@@ -139,7 +139,7 @@ fn mean_squares(kind: &Kind, n: u32, seed: u64) -> [f64; 7] {
     let mut random = Pcg32::new(seed, 21);
     let mut squares = [0.0; 7];
     for index in 0..SETS as u32 {
-        let key = Key::new(seed, [index, 0], Purpose::Pixel);
+        let key = SetKey::new(seed, [index, 0], Purpose::Pixel);
         let points: Vec<[f64; 2]> = match sampler.is_shifted() {
             true => (0..n).map(|i| sets.draw(key, i)).collect(),
             false => sets.set(index as usize).to_vec(),

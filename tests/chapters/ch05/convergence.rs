@@ -1,7 +1,7 @@
 //! How fast the mean over a set converges to the integral.
 
 use groundtruth::samplers::{
-    CorrelatedMultiJittered, Hammersley, Key, Kind, NRooks, Purpose, SampleSets, Sobol,
+    CorrelatedMultiJittered, Hammersley, Kind, NRooks, Purpose, SampleSets, SetKey, Sobol,
 };
 
 use crate::prelude::*;
@@ -102,7 +102,7 @@ fn a_shift_takes_away_the_bias_of_hammersley() {
     let means = |shifted: bool| -> Vec<f64> {
         let sets = SampleSets::new(&*built(Hammersley { shifted }), N, 1);
         let mean = |x: u32| {
-            let key = Key::new(5, [x, 0], Purpose::Pixel);
+            let key = SetKey::new(5, [x, 0], Purpose::Pixel);
             (0..N).map(|i| exp(sets.draw(key, i)[0])).sum::<f64>() / n
         };
         (0..4000).map(mean).collect()

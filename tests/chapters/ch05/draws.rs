@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use groundtruth::lobes::Branch;
-use groundtruth::samplers::{Hammersley, Key, Kind, PathKey, Purpose, SampleSets, Sobol};
+use groundtruth::samplers::{Hammersley, Kind, PathKey, Purpose, SampleSets, SetKey, Sobol};
 use statistics::correlation::pearson;
 
 use crate::prelude::*;
@@ -15,11 +15,11 @@ fn sets(kind: impl Into<Kind>, n: u32, seed: u64) -> SampleSets {
     SampleSets::new(&*built(kind), n, seed)
 }
 
-fn key(x: u32, y: u32) -> Key {
-    Key::new(3, [x, y], Purpose::Pixel)
+fn key(x: u32, y: u32) -> SetKey {
+    SetKey::new(3, [x, y], Purpose::Pixel)
 }
 
-fn run(sets: &SampleSets, key: Key, run: u32) -> Vec<[f64; 2]> {
+fn run(sets: &SampleSets, key: SetKey, run: u32) -> Vec<[f64; 2]> {
     let n = sets.per_set();
     (run * n..(run + 1) * n).map(|i| sets.draw(key, i)).collect()
 }
@@ -127,7 +127,7 @@ fn draws_for_different_purposes_are_not_correlated() {
         for (i, (one, other, partner)) in purposes.into_iter().chain(pixel).enumerate() {
             // no draw is in two pairs
             let all = pixels(SIDE, SIDE).map(|[x, y]| [2 * x, 2 * y + 1]);
-            let draw = |(at, index), purpose| sets.draw(Key::new(3, at, purpose), index);
+            let draw = |(at, index), purpose| sets.draw(SetKey::new(3, at, purpose), index);
             let draws: Vec<[[f64; 2]; 2]> =
                 all.map(|at| [draw(same(at), one), draw(partner(at), other)]).collect();
             for axes in [[0, 0], [0, 1], [1, 0], [1, 1]] {
@@ -156,7 +156,7 @@ fn a_pixels_samples_are_paired_at_random() {
     let (mut correlations, mut squares) = (Vec::new(), Vec::new());
     for at in 0..PIXELS {
         let draws = |purpose| -> Vec<[f64; 2]> {
-            let key = Key::new(9, [at % 100, at / 100], purpose);
+            let key = SetKey::new(9, [at % 100, at / 100], purpose);
             (0..n).map(|i| sets.draw(key, i)).collect()
         };
         let [pixel, lens] = [Purpose::Pixel, Purpose::Lens].map(draws);

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use groundtruth::lobes::Branch;
-use groundtruth::samplers::{Key, PathKey, Purpose, SampleSets};
+use groundtruth::samplers::{PathKey, Purpose, SampleSets, SetKey};
 use groundtruth::shapes::Sampling;
 
 use crate::prelude::*;
@@ -42,7 +42,7 @@ fn no_two_paths_share_a_draw() {
         let light = Purpose::Light { path, light: 0, pair: 0 };
         let direction = BRANCHES.map(|branch| Purpose::Direction { path, branch });
         for purpose in [light, Purpose::Lobe { path }].into_iter().chain(direction) {
-            let draw = sets.draw(Key::new(1, [3, 4], purpose), 0).map(f64::to_bits);
+            let draw = sets.draw(SetKey::new(1, [3, 4], purpose), 0).map(f64::to_bits);
             if let Some(other) = seen.insert(draw, (taken.clone(), purpose)) {
                 panic!("{purpose:?} after {taken:?} draws the same as {other:?}");
             }

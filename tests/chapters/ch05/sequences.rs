@@ -1,6 +1,6 @@
 //! Hammersley's and Sobol's points, digit by digit.
 
-use groundtruth::samplers::{Hammersley, Key, Purpose, SampleSets, Sobol};
+use groundtruth::samplers::{Hammersley, Purpose, SampleSets, SetKey, Sobol};
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, built, occupied};
@@ -38,7 +38,7 @@ fn hammersley_has_one_set() {
             let sets = SampleSets::new(&*built(Hammersley { shifted }), 10, seed);
             (0..83).for_each(|i| assert_eq!(sets.set(i), fixed, "set {i}"));
             for x in 0..20 {
-                let key = Key::new(seed, [x, 0], Purpose::Pixel);
+                let key = SetKey::new(seed, [x, 0], Purpose::Pixel);
                 let drawn: Vec<_> = (0..10).map(|i| sets.draw(key, i)).collect();
                 assert_eq!(
                     drawn.iter().filter(|p| fixed.contains(p)).count(),

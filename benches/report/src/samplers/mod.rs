@@ -13,7 +13,7 @@ use super::clock::{Time, medians};
 use super::convergence::{counts, slope};
 use super::{Findings, Interrupted, Page, ReportProgress, Settings};
 use groundtruth::math::{Pcg32, exp, hash, ln};
-use groundtruth::samplers::{self, Key, Kind, Purpose, SampleSets};
+use groundtruth::samplers::{self, Kind, Purpose, SampleSets, SetKey};
 
 /// Compares samplers by error and time, on integrands whose mean is known.
 pub const PAGE: Page = Page {
@@ -187,7 +187,7 @@ pub fn rms_errors(kind: &Kind, n: u32, problems: &Problems, settings: &Settings)
 
 /// The sum over the samples of a pixel, drawn as in a renderer.
 fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, pixel: u32) -> f64 {
-    let key = |purpose| Key::new(seed, [pixel, 0], purpose);
+    let key = |purpose| SetKey::new(seed, [pixel, 0], purpose);
     let (film, lens) = (key(Purpose::Pixel), key(Purpose::Lens));
     let value = |i| {
         let lens = if integrand.four_dimensional { sets.draw(lens, i) } else { [0.0; 2] };

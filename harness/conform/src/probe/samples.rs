@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::limits::MAX_POINTS;
 use groundtruth::invalid::Invalid;
-use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
+use groundtruth::samplers::{Kind, Purpose, SETS, SampleSets, SetKey};
 use groundtruth::world::DEFAULT_SEED;
 
 #[derive(Deserialize)]
@@ -48,7 +48,7 @@ impl super::Question for Samples {
         let sets = || SampleSets::new(&*sampler, n, self.seed);
         match (self.sets, self.draw) {
             (None, Some(Draw { pixel, index })) => {
-                let key = Key::new(self.seed, pixel, Purpose::Pixel);
+                let key = SetKey::new(self.seed, pixel, Purpose::Pixel);
                 Ok(SampledPoints::Point(sets().draw(key, index)))
             }
             (Some(_), Some(_)) => Err(Invalid::new("needs either `sets` or `draw`, not both")),
