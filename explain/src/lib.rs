@@ -41,7 +41,7 @@ pub use why_unlit::add_unlit;
 pub use written::Factor;
 
 /// The largest number of rays of a pixel that is explained: some seconds.
-const MAX_RAYS: u64 = 1 << 25;
+const MAX_RAYS: u64 = 1 << 23;
 
 /// A pixel explained: its samples and their sum.
 #[derive(Clone, Debug, Serialize)]

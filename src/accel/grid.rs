@@ -283,6 +283,3 @@ impl Iterator for Walk<'_> {
         Some((cell, end))
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -7,7 +7,7 @@
 use super::vectors::{Point, Vector};
 
 /// `a·b` as an unevaluated sum of two numbers (exact unless it overflows or underflows).
-pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub fn two_product(a: f64, b: f64) -> (f64, f64) {
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);
     let product = a * b;
@@ -23,14 +23,14 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 /// `a + b` as an unevaluated sum of two numbers, exactly (Knuth).
-pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
 /// `a·b − c·d` with a relative error of a few u, however much cancels.
-pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+pub fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (ab, ab_error) = two_product(a, b);
     let (cd, cd_error) = two_product(c, d);
     let (difference, error) = two_sum(ab, -cd);
@@ -39,7 +39,7 @@ pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
 
 /// `a − b·c`, with the scalar product of two lists, as if in twice the precision (Ogita, Rump &
 /// Oishi, "Accurate Sum and Dot Product", 2005).
-pub(super) fn less_products(a: f64, b: [f64; 3], c: [f64; 3]) -> f64 {
+pub fn less_products(a: f64, b: [f64; 3], c: [f64; 3]) -> f64 {
     let less = |(sum, error): (f64, f64), (b, c): (f64, f64)| {
         let (product, lost) = two_product(-b, c);
         let (sum, lost_too) = two_sum(sum, product);
@@ -67,36 +67,4 @@ pub fn exact_cross(a: Point, b: Point, c: Point) -> Vector {
         difference + (error + (ps_error - qr_error) + ((dp * s - dq * r) + (p * ds - q * dr)))
     };
     Vector::new(component(1, 2), component(2, 0), component(0, 1))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn difference_of_products_survives_cancellation() {
-        // (2^27 + 1)(2^27 − 1) − 2^54 = −1, which plain arithmetic rounds to 0
-        let big = 134_217_728.0;
-        assert_eq!(difference_of_products(big + 1.0, big - 1.0, big, big), -1.0);
-        let plain: f64 = (1.0 + f64::EPSILON) * (1.0 - f64::EPSILON) - 1.0;
-        assert_eq!(plain, 0.0);
-        let exact = difference_of_products(1.0 + f64::EPSILON, 1.0 - f64::EPSILON, 1.0, 1.0);
-        assert_eq!(exact, -f64::EPSILON * f64::EPSILON);
-    }
-
-    #[test]
-    fn less_products_survives_cancellation() {
-        // 1 − (1 + ε)(1 − ε) − ε·1 = ε² − ε; without the last product, ε²
-        let e = f64::EPSILON;
-        assert_eq!(less_products(1.0, [1.0 + e, 0.0, 0.0], [1.0 - e, 0.0, 0.0]), e * e);
-        assert_eq!(less_products(1.0, [1.0 + e, e, 0.0], [1.0 - e, 1.0, 0.0]), e * e - e);
-    }
-
-    #[test]
-    fn two_sum_and_two_product_lose_nothing() {
-        let (s, e) = two_sum(1.0, 1e-30);
-        assert_eq!((s, e), (1.0, 1e-30));
-        let (p, e) = two_product(1.0 + f64::EPSILON, 1.0 + f64::EPSILON);
-        assert_eq!((p, e), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
-    }
 }

@@ -26,8 +26,7 @@ pub mod watertight;
 
 pub use bounds::Aabb;
 pub use box_ray::{BoxRay, TwoBoxes};
-pub(crate) use exact::difference_of_products;
-pub use exact::exact_cross;
+pub use exact::{difference_of_products, exact_cross, less_products, two_product, two_sum};
 pub use frame::Frame;
 pub use functions::{
     acos, atan, atan2, cbrt, cos, cos_degrees, erf, exp, exp_m1, floor, ln, ln_1p, power,

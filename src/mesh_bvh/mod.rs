@@ -8,13 +8,16 @@
 //! `watertight`, and `walk` traverses from the root to the leaves. Every [`Kernel`] finds the same
 //! hits; one is plain Rust.
 
-mod block;
+#[doc(hidden)]
+pub mod block;
 mod collapse;
 mod kernel;
 mod lanes32;
 mod lanes64;
-mod node;
-mod space;
+#[doc(hidden)]
+pub mod node;
+#[doc(hidden)]
+pub mod space;
 mod stack;
 mod walk;
 

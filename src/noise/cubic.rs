@@ -34,24 +34,3 @@ where
     let c0 = k1;
     x * (x * (x * c3 + c2) + c1) + c0
 }
-
-#[cfg(test)]
-mod tests {
-    use super::spline;
-
-    /// Law: the spline of knots on a parabola is the parabola: the weights of the Catmull–Rom
-    /// spline add up to 1 and preserve first and second moments. Oracle: the parabola. (Rounding: a
-    /// dozen terms of at most 30.)
-    #[test]
-    fn spline_goes_through_parabolas() {
-        for [a, b, c] in [[0.7, 0.0, 0.0], [0.1, -2.0, 0.0], [3.0, 0.25, -1.5], [-1.0, 0.0, 4.0]] {
-            let parabola = |x: f64| a + x * (b + x * c);
-            let knots = [-1.0, 0.0, 1.0, 2.0].map(parabola);
-            for i in 0..=64 {
-                let x = f64::from(i) / 64.0;
-                let (found, expected) = (spline(x, knots), parabola(x));
-                assert!((found - expected).abs() < 1e-13, "{found} at {x}, expected {expected}");
-            }
-        }
-    }
-}

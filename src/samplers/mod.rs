@@ -31,6 +31,8 @@ use std::fmt::Debug;
 
 use crate::math::Pcg32;
 
+#[doc(hidden)]
+pub use correlated_multi_jittered::permuted;
 pub use sets::{Draws, PathKey, Purpose, SETS, SampleSets, SetKey};
 
 /// A way to spread points over the unit square. Contract: `tests/contracts/sampler.rs`.

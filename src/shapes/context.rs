@@ -252,35 +252,3 @@ impl Context {
         built
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::shapes::TessellatedSphere;
-
-    fn sphere(horizontal: u32, vertical: u32) -> Kind {
-        TessellatedSphere::new(horizontal, vertical, false).into()
-    }
-
-    /// Law: equal meshes are one thing in memory, and are counted once.
-    #[test]
-    fn equal_meshes_are_shared() {
-        let mut context = Context::default();
-        let [a, b, c] = [(5, 4), (5, 4), (4, 5)]
-            .map(|(h, v)| sphere(h, v).build(&mut context).expect("a valid sphere"));
-        assert!(Arc::ptr_eq(&a, &b) && !Arc::ptr_eq(&a, &c));
-        assert_eq!(context.budget.triangles, 2 * 5 * 3 + 2 * 4 * 4);
-    }
-
-    /// Law: what would take gigabytes is refused before it is built, alone and together.
-    #[test]
-    fn too_many_triangles_are_refused() {
-        let mut context = Context::default();
-        let problem = sphere(4096, 4096).build(&mut context).expect_err("33 million").to_string();
-        assert!(problem.starts_with("tessellated_sphere: 33546240 triangles"), "{problem}");
-        assert!(problem.ends_with("are too many; at most 4194304 fit"), "{problem}");
-        let mut context = Context::default();
-        context.budget.triangles = MAX_TRIANGLES - 29;
-        assert!(sphere(5, 4).build(&mut context).is_err(), "30 more than fit");
-    }
-}

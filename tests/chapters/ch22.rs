@@ -22,6 +22,7 @@
 //!
 //! Beyond the book: 1 in `equal`, 2 in `lattices`, 2 in `stadium`, 1 in `steps`.
 
+mod cells;
 mod equal;
 mod everywhere;
 mod lattices;

@@ -27,5 +27,6 @@ mod lists;
 mod meshes;
 mod outside;
 mod smooth;
+mod tree;
 mod uv;
 mod watertight;

@@ -1,6 +1,6 @@
 //! Hammersley's and Sobol's points, digit by digit.
 
-use groundtruth::samplers::{Hammersley, Purpose, SampleSets, SetKey, Sobol};
+use groundtruth::samplers::{Hammersley, Purpose, SampleSets, SetKey, Sobol, permuted};
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, built, occupied};
@@ -69,15 +69,14 @@ fn digits(x: f64, m: u32) -> u32 {
 /// digits after scrambling, in both dimensions. Oracle: Pascal's triangle for the points, and whole numbers.
 #[test]
 fn the_scramble_is_nested() {
-    const M: u32 = 7;
     let shared = |a: u32, b: u32| (a ^ b).leading_zeros();
     let mut random = Pcg32::new(20, 20);
-    for _ in 0..20 {
-        let scrambled = built(Sobol {}).fill(1 << M, &mut random);
+    for m in std::iter::repeat_n(7, 20).chain([10]) {
+        let scrambled = built(Sobol {}).fill(1 << m, &mut random);
         for axis in 0..2 {
             let words: Vec<(u32, u32)> = (0..)
                 .zip(&scrambled)
-                .map(|(i, point)| (sobol(i, M)[axis], digits(point[axis], M)))
+                .map(|(i, point)| (sobol(i, m)[axis], digits(point[axis], m)))
                 .collect();
             for &(a, found) in &words {
                 for &(b, other) in &words {
@@ -133,5 +132,68 @@ fn prefixes_of_sobol_are_nets_too() {
     for a in 0..=8 {
         let counts = occupied(&set, 1 << a, 1 << (8 - a));
         assert!(counts.iter().all(|count| (1..=2).contains(count)), "{a}");
+    }
+}
+
+/// Law: Pascal's triangle makes Sobol's points. Oracle: the numbers that Joe & Kuo's
+/// program prints for two dimensions, whose order is the Gray code's: their i-th point is
+/// `i ⊕ i/2`.
+#[test]
+fn the_sequence_has_the_published_points() {
+    let published = [
+        [0.0, 0.0],
+        [0.5, 0.5],
+        [0.75, 0.25],
+        [0.25, 0.75],
+        [0.375, 0.375],
+        [0.875, 0.875],
+        [0.625, 0.125],
+        [0.125, 0.625],
+        [0.1875, 0.3125],
+        [0.6875, 0.8125],
+    ];
+    for (i, point) in (0..).zip(published) {
+        let found = sobol(i ^ i >> 1, 32).map(|bits| f64::from(bits) / 4_294_967_296.0);
+        assert_eq!(found, point, "{i}");
+    }
+}
+
+/// Law: the direction numbers of the second dimension are those of the published table. Oracle:
+/// its first entries.
+#[test]
+fn the_direction_numbers_are_the_published_ones() {
+    for (k, m) in [1, 3, 5, 15, 17, 51, 85, 255, 257, 771].into_iter().enumerate() {
+        assert_eq!(sobol(1 << k, 32)[1], m << (31 - k), "{k}");
+    }
+}
+
+/// Law: the permutations are the paper's. Oracle: `permute_kensler` of Mitsuba 3.9.1.
+#[test]
+fn permutations_are_those_of_the_paper() {
+    let published: [(u32, &[u32]); 6] = [
+        (7, &[0]),
+        (1, &[0, 1]),
+        (3, &[4, 0, 2, 3, 1]),
+        (1, &[5, 1, 0, 7, 3, 2, 4, 6]),
+        (0xa511_e9b3, &[5, 2, 0, 10, 11, 9, 4, 7, 6, 8, 3, 1, 12]),
+        (u32::MAX, &[10, 4, 1, 11, 7, 0, 9, 3, 6, 13, 15, 5, 14, 12, 8, 2]),
+    ];
+    for (pattern, expected) in published {
+        let n = expected.len() as u32;
+        let found: Vec<u32> = (0..n).map(|i| permuted(i, n, pattern)).collect();
+        assert_eq!(found, expected, "pattern {pattern}");
+    }
+}
+
+/// Law: each pattern is a permutation. Oracle: sorting, for every n up to 99 and next to powers
+/// of two.
+#[test]
+fn every_pattern_permutes() {
+    let mut random = Pcg32::new(2013, 0);
+    for n in (1..100).chain([127, 128, 129, 1023, 1024, 1025]) {
+        let pattern = random.next_u32();
+        let mut found: Vec<u32> = (0..n).map(|i| permuted(i, n, pattern)).collect();
+        found.sort_unstable();
+        assert!(found.into_iter().eq(0..n), "{n}, pattern {pattern}");
     }
 }

@@ -311,3 +311,20 @@ fn rays_from_outside_cross_a_closed_mesh_evenly() {
         above!(hits, 200);
     }
 }
+
+/// Law: equal meshes are one thing in memory, and are counted once: two of 30 triangles and one of as many as fit are 30 too
+/// many, before the large one is built. Oracle: the place in memory, and the formula.
+#[test]
+fn equal_meshes_are_shared_and_counted_once() {
+    let mut context = Context::default();
+    let [a, b, c] = [(5, 4), (5, 4), (4, 5)].map(|(h, v)| {
+        let sphere = Kind::from(TessellatedSphere::new(h, v, false));
+        sphere.build(&mut context).expect("a valid sphere")
+    });
+    assert!(Arc::ptr_eq(&a, &b) && !Arc::ptr_eq(&a, &c));
+    let text = include_str!("../../../fuzz/corpus/scene_file/together-too-many-triangles.toml");
+    let error =
+        scenefile::from_toml(text, Path::new("scene.toml")).expect_err("too many triangles");
+    let found = error.to_string();
+    assert!(found.contains(": 4194304 triangles, with the meshes before it 4194334, are too many; at most 4194304 fit"), "{found}");
+}

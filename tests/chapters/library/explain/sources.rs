@@ -246,5 +246,5 @@ fn a_pixel_of_endless_trees_is_refused() {
     assert_eq!(counts.camera + counts.reflected + counts.transmitted, 1, "{counts:?}");
     let refused = explain::pixel(&scene, &world, pixel, Some(0));
     let TooManyRays { asked, most } = refused.expect_err("an endless tree");
-    assert_eq!((asked.as_str(), most), ("pixel (489, 500)", 1 << 25));
+    assert_eq!((asked.as_str(), most), ("pixel (489, 500)", 1 << 23));
 }
