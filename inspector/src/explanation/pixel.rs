@@ -1,6 +1,6 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
-use eframe::egui::{Button, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
+use eframe::egui::{Button, DragValue, Label, RichText, ScrollArea, TextWrapMode, Ui};
 use explain::{PixelExplanation, RecordedRay};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
@@ -93,19 +93,21 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     let rendered = shown.radiance(answer.pixel);
     let program = shown.subject().program;
     let made = program.filter(|program| program.log().is_none());
-    let subject = made.map_or("The pixel".to_owned(), |it| format!("With {} the pixel", it.name));
+    let subject = made.map_or("The".to_owned(), |it| format!("With {} the", it.name));
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
         time => format!(", times the exposure time {time:?}"),
     };
     let mean = match answer.samples_per_pixel {
-        1 => "the radiance of its one sample".to_owned(),
-        count => format!("the mean of its {count} samples"),
+        1 => "radiance of its one sample".to_owned(),
+        count => format!("mean of its {count} samples"),
     };
-    ui.label(format!("{subject} is {mean}{exposure}:"));
-    let total = format!("= {}", details::exact_color(answer.radiance));
-    let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
-    ui.label(text).on_hover_text(total);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(format!("{subject} {mean}{exposure}"));
+        let total = format!("= {}", details::exact_color(answer.radiance));
+        let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
+        ui.add(Label::new(text).extend()).on_hover_text(total);
+    });
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
     match rendered {
         None => ui.weak("this pixel is not rendered yet"),
