@@ -184,10 +184,14 @@ impl CompareMenu {
             let rows = self.found.iter().flat_map(|(_, rows)| rows);
             let fields =
                 rows.filter_map(|row| if let Row::Field(it) = row { Some(it) } else { None });
-            if let [field] = fields.collect::<Vec<_>>()[..]
-                && change.applied(&rendering.scene).is_err()
-            {
-                change.path.clone_from(&field.path);
+            let fields: Vec<&Change> = fields.collect();
+            let is_whole = fields.iter().any(|field| field.path == change.path);
+            if !is_whole && change.applied(&rendering.scene).is_err() {
+                match fields[..] {
+                    [] => {}
+                    [field] => change.path.clone_from(&field.path),
+                    _ => return Err(format!("{} fields have these words", fields.len())),
+                }
             }
             return Ok(Action::Compare(With::Field(change)));
         }

@@ -290,11 +290,14 @@ impl Panel {
         pixel::sum(ui, answer, shown);
         let end = ui.cursor().top();
         if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
+            let other = selection.beside.explanation().filter(|_| theirs.is_twin());
             let explained = match theirs.explained() {
-                Some(_) => Some(answer),
-                None => selection.beside.explanation().filter(|_| theirs.is_twin()),
+                Some(_) => [other, Some(answer)],
+                None => [Some(answer), other],
             };
-            let explained = explained.filter(|it| it.pixel == answer.pixel).map(|it| it.radiance);
+            let radiance =
+                |it: &PixelExplanation| (it.pixel == answer.pixel).then_some(it.radiance);
+            let explained = explained.map(|it| it.and_then(radiance));
             pixel::theirs(ui, answer.pixel, (theirs, explained), shown);
         }
         let beside = selection.beside.explanation();

@@ -127,18 +127,18 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     };
 }
 
-/// Shows their value of the pixel, the explained one until it is rendered, and the difference from ours.
+/// Shows their value of the pixel and the difference from ours; of both, the explained value until it is rendered.
 pub fn theirs(
     ui: &mut Ui,
     pixel: [u32; 2],
-    (theirs, explained): (&Theirs, Option<Rgb>),
+    (theirs, [ours, explained]): (&Theirs, [Option<Rgb>; 2]),
     shown: &Shown<'_>,
 ) {
     let Some(radiance) = theirs.radiance(pixel).or(explained) else { return };
     let value = theirs.value(pixel).unwrap_or_else(|| short(radiance));
     let name = theirs.short_name();
     let small = |text: String| RichText::new(text).monospace().size(12.0);
-    let early = || Some(explained? - shown.rendering.radiance(pixel)?);
+    let early = || Some(explained? - shown.rendering.radiance(pixel).or(ours)?);
     let difference = theirs.difference(shown.rendering, pixel).or_else(early);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
     ui.horizontal_wrapped(|ui| {

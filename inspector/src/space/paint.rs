@@ -196,8 +196,9 @@ impl Canvas<'_> {
             self.painter.circle_stroke(at, 9.0, Stroke::new(width, color));
         }
         let font = FontId::proportional(13.0);
-        let place = at + vec2(12.0, -12.0);
-        self.painter.text(place, Align2::LEFT_BOTTOM, text, font, strong);
+        // labels are at the right
+        let place = at + vec2(-12.0, -12.0);
+        self.painter.text(place, Align2::RIGHT_BOTTOM, text, font, strong);
     }
 
     /// Marks the end of a piece: an arrowhead where it goes on or hits, a dot at a lamp, a cross at an occluder.

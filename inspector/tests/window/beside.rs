@@ -82,6 +82,11 @@ fn a_field_with_another_value_is_compared() {
 fn words_of_one_field_stand_for_its_path() {
     let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
+    type_text(&mut window, "eta=1.33");
+    enter(&mut window);
+    text_with(&window, " fields have these words");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.step();
     type_text(&mut window, "inside.eta=1.33");
     enter(&mut window);
     assert_eq!(theirs(&window).radiance(ON_GLASS), Some(rendered(&water()).get(ON_GLASS)));

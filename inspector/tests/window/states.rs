@@ -49,7 +49,6 @@ fn each_state(size: [f32; 2], is_light: bool, mut seen: impl FnMut(&str, &Window
     seen("selected", &window);
     push(&mut window, "Copy");
     push(&mut window, "The pixel, all its digits");
-    text_with(&window, "copied");
     set(&mut window, |it| it.message = Some(("the file\nis broken".to_owned(), true)));
     seen("told", &window);
     set(&mut window, |it| it.message = None);
