@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use eframe::egui::{Key, Pos2, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::rgb::Rgb;
 
 use crate::support::*;
 
@@ -43,8 +42,7 @@ fn each_state(size: [f32; 2], is_light: bool, mut seen: impl FnMut(&str, &Window
     let mut window = open_sized(small_glass_sphere(), size);
     in_theme(&mut window);
     click(&mut window, ON_GLASS);
-    let root = ray_of(&small_glass_sphere(), ON_GLASS, 0);
-    let number = root.largest_child().expect("glass").number;
+    let number = ray_of(&small_glass_sphere(), ON_GLASS, 0).largest_child().expect("glass").number;
     set(&mut window, |it| it.selection.go_to(number));
     seen("selected", &window);
     push(&mut window, "Copy");
@@ -58,7 +56,7 @@ fn each_state(size: [f32; 2], is_light: bool, mut seen: impl FnMut(&str, &Window
     push(&mut window, "Pin");
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut other = film(&window);
-    other.set([3, 4], other.get([3, 4]) + Rgb::WHITE);
+    other.set([3, 4], other.get([3, 4]) + groundtruth::rgb::Rgb::WHITE);
     let theirs = read(folder.path(), &other, "theirs.exr");
     set(&mut window, |it| it.others.add_picture(theirs));
     push(&mut window, "The section");
