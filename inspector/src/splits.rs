@@ -2,8 +2,8 @@
 //! height, and the bars between them; picture and space view where the picture is.
 
 use eframe::egui::{
-    Button, CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo,
-    accesskit::Role, vec2,
+    Align, Button, CursorIcon, Id, Layout, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2,
+    WidgetInfo, accesskit::Role, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -11,8 +11,10 @@ use serde::{Deserialize, Serialize};
 const BAR: f32 = 8.0;
 /// The smallest shares of scene, picture and explanation.
 const MIN: [f32; 3] = [0.1, 0.3, 0.25];
-/// The smallest and the largest share of the details.
-const DETAILS: [f32; 2] = [0.15, 0.75];
+/// The smallest share of the details, the smallest before the bar was dragged, and the largest.
+const DETAILS: [f32; 3] = [0.15, 0.41, 0.75];
+/// The least height of the details before the bar was dragged, with room for a section, in points of the screen.
+const DETAILS_MIN_HEIGHT: f32 = 235.0;
 /// The least width of the scene's panel, which its numbers and lists need, in points of the screen: less in a window that has
 /// no room for more.
 const SCENE_MIN_WIDTH: [f32; 2] = [152.0, 176.0];
@@ -72,15 +74,15 @@ pub struct Splits {
     scene: f32,
     /// The share of the explanation, at the right.
     explanation: f32,
-    /// The share of the details, below the tree.
-    details: f32,
+    /// The share of the details, below the tree, once the bar was dragged; else they have what the tree does not need.
+    dragged: Option<f32>,
     /// Whether the scene's panel is shown in a narrow window, too.
     unfolded: bool,
 }
 
 impl Default for Splits {
     fn default() -> Self {
-        Self { scene: 0.15, explanation: 0.38, details: 0.41, unfolded: false }
+        Self { scene: 0.15, explanation: 0.38, dragged: None, unfolded: false }
     }
 }
 
@@ -142,13 +144,21 @@ impl Splits {
         !self.unfolded
     }
 
-    /// Draws the bar between tree and details, moves it with the mouse, and returns the areas of both.
-    pub fn show_lower(&mut self, ui: &mut Ui, area: Rect) -> [Rect; 2] {
-        let y = (area.bottom() - self.details * area.height()).round();
+    /// Draws the bar between tree and details, moves it with the mouse, and returns the areas of both; the tree and what is
+    /// above it need the height `needed`.
+    pub fn show_lower(&mut self, ui: &mut Ui, area: Rect, needed: f32) -> [Rect; 2] {
+        let [_, usual, most] = DETAILS;
+        // a low window still shows some rows of the tree
+        let least = (DETAILS_MIN_HEIGHT / area.height()).clamp(usual, 0.5);
+        let usual = (1.0 - needed / area.height()).clamp(least, most);
+        let share = self.dragged.unwrap_or(usual);
+        let y = (area.bottom() - share * area.height()).round();
         let strip = Rect::from_x_y_ranges(area.x_range(), y - 0.5 * BAR..=y + 0.5 * BAR);
-        let moved = bar(ui, "lower bar", strip, 1.0 - self.details);
-        self.details =
-            moved.map_or(Self::default().details, |by| self.details - by.y / area.height());
+        match bar(ui, "lower bar", strip, 1.0 - share) {
+            None => self.dragged = None,
+            Some(by) if by.y != 0.0 => self.dragged = Some(share - by.y / area.height()),
+            Some(_) => {}
+        }
         *self = self.fitting();
         [area.with_max_y(strip.top()), area.with_min_y(strip.bottom())]
     }
@@ -156,15 +166,16 @@ impl Splits {
     /// The shares clamped so that each part has room; the defaults if a share is NaN.
     #[must_use]
     pub fn fitting(self) -> Self {
-        if ![self.scene, self.explanation, self.details].into_iter().all(f32::is_finite) {
+        let shares = [self.scene, self.explanation, self.dragged.unwrap_or_default()];
+        if !shares.into_iter().all(f32::is_finite) {
             return Self::default();
         }
-        let [least, most] = DETAILS;
-        let details = self.details.clamp(least, most);
+        let [least, _, most] = DETAILS;
+        let dragged = self.dragged.map(|share| share.clamp(least, most));
         let [scene, picture, explanation] = MIN;
         let scene = self.scene.clamp(scene, 1.0 - picture - explanation);
         let explanation = self.explanation.clamp(explanation, 1.0 - picture - scene);
-        Self { scene, explanation, details, ..self }
+        Self { scene, explanation, dragged, ..self }
     }
 }
 
@@ -182,6 +193,15 @@ pub fn part<T>(
         show(ui)
     })
     .inner
+}
+
+/// Shows something in a part of a row that keeps its width, so that what comes after it does not move.
+pub fn fixed(ui: &mut Ui, width: f32, show: impl FnOnce(&mut Ui)) {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_width(width);
+        show(ui);
+    });
 }
 
 /// The area of the bar at `x`.

@@ -38,7 +38,7 @@ const OF_LOG: [(Shows, &str, &str); 3] = [
 ];
 
 /// The width of a list, and in a narrow window, in points of the screen.
-const LIST_WIDTH: [f32; 2] = [130.0, 90.0];
+const LIST_WIDTH: [f32; 2] = [130.0, 97.0];
 
 /// Shows a list in a width that its text does not change; `entries` close it. Returns nothing while it is closed.
 pub fn list(
@@ -136,10 +136,13 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
         return views_of_log(ui, &mut theirs.shows, (log, is_beside));
     }
     for (shows, name, hint) in SHOWN {
-        if shows != Shows::Map || theirs.judgement.verdict().is_some() {
-            // another field of ours is nobody else's
-            let name = if is_beside && shows == Shows::Theirs { "Other" } else { name };
-            ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
+        let is_there = shows != Shows::Map || theirs.judgement.verdict().is_some();
+        // another field of ours is nobody else's
+        let name = if is_beside && shows == Shows::Theirs { "Other" } else { name };
+        let button = ui.add_enabled(is_there, Button::selectable(theirs.shows == shows, name));
+        let button = button.on_disabled_hover_text("After it was judged").on_hover_text(hint);
+        if button.clicked() {
+            theirs.shows = shows;
         }
     }
     ui.separator();

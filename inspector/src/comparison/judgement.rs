@@ -271,7 +271,9 @@ impl Judgement {
         for (number, region) in (1..).zip(&self.verdict()?.regions) {
             let [x, y, w, h] = region.bounds.map(|along| along as u32);
             let frame = placement.part([x, y], [w, h]);
-            let tag = Rect::from_min_size(frame.min, vec2(NUMBER, NUMBER));
+            // at the right: rows are counted at the left
+            let corner = frame.right_top() - vec2(NUMBER, 0.0);
+            let tag = Rect::from_min_size(corner, vec2(NUMBER, NUMBER));
             let response = ui.interact(tag, Id::unique(("region", number)), Sense::click());
             let name = format!("region {number}");
             response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));

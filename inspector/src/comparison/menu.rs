@@ -86,7 +86,8 @@ impl CompareMenu {
             self.problem = None;
         }
         if entered {
-            match meant(self.typed.trim()) {
+            self.look_up(rendering);
+            match self.meant(rendering) {
                 Ok(action) => asked = Some(action),
                 Err(problem) => {
                     self.problem = Some(problem);
@@ -172,18 +173,31 @@ impl CompareMenu {
         let rows = parts.flat_map(|(title, rows)| std::iter::once(Row::Title(title)).chain(rows));
         self.found = Some((self.typed.clone(), rows.collect()));
     }
-}
 
-/// What a typed text asks for.
-fn meant(typed: &str) -> Result<Action, String> {
-    if typed.is_empty() {
-        return Err("type a field as path = value, or the name of a scene".to_owned());
+    /// What the typed text asks for. Words that only one field has stand for its path.
+    fn meant(&self, rendering: &Rendering) -> Result<Action, String> {
+        let typed = self.typed.trim();
+        if typed.is_empty() {
+            return Err("type a field as path = value, or the name of a scene".to_owned());
+        }
+        if let Some(mut change) = Change::parse(typed) {
+            let rows = self.found.iter().flat_map(|(_, rows)| rows);
+            let fields =
+                rows.filter_map(|row| if let Row::Field(it) = row { Some(it) } else { None });
+            let fields: Vec<&Change> = fields.collect();
+            let is_whole = fields.iter().any(|field| field.path == change.path);
+            if !is_whole && change.applied(&rendering.scene).is_err() {
+                match fields[..] {
+                    [] => {}
+                    [field] => change.path.clone_from(&field.path),
+                    _ => return Err(format!("{} fields have these words", fields.len())),
+                }
+            }
+            return Ok(Action::Compare(With::Field(change)));
+        }
+        if is_picture(typed.as_ref()) {
+            return Ok(Action::Compare(With::Picture(typed.into())));
+        }
+        Source::named(typed).map(|source| Action::Compare(With::Scene(source)))
     }
-    if let Some(change) = Change::parse(typed) {
-        return Ok(Action::Compare(With::Field(change)));
-    }
-    if is_picture(typed.as_ref()) {
-        return Ok(Action::Compare(With::Picture(typed.into())));
-    }
-    Source::named(typed).map(|source| Action::Compare(With::Scene(source)))
 }

@@ -11,7 +11,7 @@ use crate::picture::worker::Rendering;
 /// Shows the list of mistakes that have the typed words: those that the scene of the gallery shows, or all.
 pub fn show(ui: &mut Ui, typed: &mut String, others: &mut Others, rendering: &Rendering) {
     let present = others.mistake();
-    let name = present.map_or("With mistake …", |mistake| mistake.name);
+    let name = present.map_or("Mistake …", |mistake| mistake.name);
     let hint = "Another picture, by a program with this mistake; T flips between right and wrong, and explains the one \
                 that is shown";
     let mut chosen = None;

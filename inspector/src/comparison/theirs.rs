@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use eframe::egui::{
     Align2, Color32, Context, CursorIcon, FontId, Id, Painter, Rect, Sense, Stroke, Ui, WidgetInfo,
-    accesskit::Role, vec2,
+    accesskit::Role,
 };
 use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
@@ -19,6 +19,7 @@ use crate::comparison::pixels::Pixels;
 use crate::comparison::program::Program;
 use crate::picture::chosen_layer::named;
 use crate::picture::developed::{self, Developed, Version};
+use crate::picture::display::write;
 use crate::picture::saving::Beside;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Growing, Rendering};
@@ -344,15 +345,10 @@ impl Theirs {
         let painter = ui.painter();
         painter.vline(x, area.y_range(), Stroke::new(4.0, Color32::BLACK));
         painter.vline(x, area.y_range(), Stroke::new(2.0, Color32::from_rgb(255, 140, 0)));
-        let theirs = self.short_name();
-        for (name, align, side) in
-            [("ours", Align2::RIGHT_TOP, -8.0), (theirs, Align2::LEFT_TOP, 8.0)]
-        {
-            let at = area.left_top() + vec2(x - area.left() + side, 6.0);
-            let shadow = at + vec2(1.0, 1.0);
-            painter.text(shadow, align, name, FontId::default(), Color32::BLACK);
-            painter.text(at, align, name, FontId::default(), Color32::from_rgb(255, 190, 110));
-        }
+        // below the coordinates of pixels
+        let area = area.with_min_y(area.top() + 14.0);
+        write(painter, area.with_max_x(x), Align2::RIGHT_TOP, "ours".to_owned());
+        write(painter, area.with_min_x(x), Align2::LEFT_TOP, self.short_name().to_owned());
     }
 }
 

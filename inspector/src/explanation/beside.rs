@@ -1,6 +1,6 @@
 //! The selected ray in two pictures, number by number.
 
-use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui, vec2};
+use eframe::egui::{Grid, Label, RichText, Ui};
 use explain::RecordedRay;
 use groundtruth::trace::RayKind;
 use text::digits::shortened;
@@ -64,8 +64,8 @@ pub struct Beside {
 type Parted = Option<[usize; 2]>;
 
 /// The width of the column of names, in points of the screen.
-const NAMES: f32 = 120.0;
-const GAP: f32 = 10.0;
+const NAMES: f32 = 108.0;
+const GAP: f32 = 8.0;
 
 impl Beside {
     /// Shows the numbers of a ray of the tree that is shown and of its counterpart. The last argument says whether that tree
@@ -131,14 +131,10 @@ fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_left, names): (boo
     let room = ui.clip_rect().width().min(ui.available_width());
     let column = (0.5 * (room - NAMES - 3.0 * GAP)).max(60.0);
     let cell = |ui: &mut Ui, text: RichText, hint: &str| {
-        let size = vec2(column, 16.0);
-        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_width(column);
-            ui.add(Label::new(text).truncate()).on_hover_text(hint);
-        });
+        ui.add(Label::new(text).wrap()).on_hover_text(hint);
     };
     let grid = Grid::new("beside").num_columns(3).striped(true).min_row_height(16.0);
-    grid.min_col_width(0.0).spacing([GAP, 1.0]).show(ui, |ui| {
+    grid.min_col_width(0.0).max_col_width(column).spacing([GAP, 1.0]).show(ui, |ui| {
         ui.strong(format!("ray {}", this.number));
         let order = if is_left { [0, 1] } else { [1, 0] };
         for at in order {
@@ -153,7 +149,8 @@ fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_left, names): (boo
             ui.end_row();
         }
     });
-    let mut equal: Vec<&str> = equal.iter().map(|(field, _)| *field).collect();
+    let is_new = |field: &&str| !differing.iter().any(|(other, _)| other == field);
+    let mut equal: Vec<&str> = equal.iter().map(|(field, _)| *field).filter(is_new).collect();
     equal.dedup();
     if !equal.is_empty() {
         ui.weak(format!("equal: {}", equal.join(", ")));

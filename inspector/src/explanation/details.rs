@@ -109,7 +109,9 @@ fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
     fields.push(("radiance", color(ray.radiance)));
     fields.push(("contributes", color(ray.contribution)));
     fields.push(("share of the sample", percent(ray.share)));
-    fields.extend(lines(&ray.unlit).into_iter().map(|line| (UNLIT, line)));
+    if !ray.unlit.is_empty() {
+        fields.push((UNLIT, lines(&ray.unlit).join("; ")));
+    }
     fields.extend(ray.black.iter().map(|zeros| ("black", zeros.clone())));
     fields
 }

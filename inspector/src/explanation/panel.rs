@@ -9,6 +9,7 @@ use explain::{PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
 use judge::verdict::Verdict;
+use text::brief::{brief, count, short};
 
 use crate::explanation::asked::{Question, sample_of};
 use crate::explanation::beside::Beside;
@@ -22,13 +23,19 @@ use crate::explanation::values::ValuesView;
 use crate::explanation::why_not::WhyNotView;
 use crate::explanation::{Shown, Subject, checks, details};
 use crate::picture::display;
-use crate::splits::{Splits, part};
+use crate::splits::{Splits, fixed, part};
 
 /// The least height of tree and details in a low window, in points of the screen.
 const MIN_HEIGHT: f32 = 24.0;
 
-/// The least height with room for the legend of the tree's colours, in points of the screen.
-const LEGEND_MIN_HEIGHT: f32 = 160.0;
+/// The height of two lines about another picture or pixel, which move nothing, in points of the screen.
+const BESIDE_HEIGHT: f32 = 44.0;
+
+/// The least height of the whole explanation with room for the legend of the tree's colours, in points of the screen.
+const LEGEND_MIN_HEIGHT: f32 = 480.0;
+
+/// The width of the heading with coordinates below 1,000, in points of the screen.
+const HEADING_WIDTH: f32 = 126.0;
 
 /// The least width with room for the chooser of the sample beside the pixel, in points of the screen.
 const ONE_ROW_MIN_WIDTH: f32 = 505.0;
@@ -44,6 +51,8 @@ pub struct Panel {
     pub making: Making,
     numbers: Beside,
     values: ValuesView,
+    /// The height that the tree needed in the last frame.
+    tree_height: f32,
 }
 
 impl Panel {
@@ -70,18 +79,27 @@ impl Panel {
         };
         let whole = ui.available_rect_before_wrap();
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
-        egui::Panel::top("pixel")
-            .frame(inner)
-            .show(ui, |ui| self.head(ui, selection, &answer, shown));
+        let head = egui::Panel::top("pixel").frame(inner);
+        let head = head.show(ui, |ui| self.head(ui, selection, &answer, shown)).inner;
         let sample = sample_of(&answer, selection.shown_sample());
-        // a share of the whole: the lines of the head do not move it
-        let [above, below] = splits.show_lower(ui, whole);
-        let above = above.with_min_y(ui.available_rect_before_wrap().top().min(above.bottom()));
-        let margin = vec2(0.0, 4.0);
-        part(ui, "tree", above, margin, |ui| match sample {
-            Some(sample) => sample_tree(ui, &mut selection.tree, sample, shown.tone),
-            None => drop(ui.spinner()),
+        let top = ui.available_rect_before_wrap().top();
+        let needed = head + BESIDE_HEIGHT - whole.top() + self.tree_height;
+        let [above, below] = splits.show_lower(ui, whole, needed);
+        let (above, margin) = (above.with_min_y(top.min(above.bottom())), vec2(0.0, 4.0));
+        let height = part(ui, "tree", above, margin, |ui| match sample {
+            Some(sample) => {
+                let has_legend = whole.height() > LEGEND_MIN_HEIGHT;
+                sample_tree(ui, &mut selection.tree, sample, (shown.tone, has_legend))
+            }
+            None => {
+                ui.spinner();
+                self.tree_height
+            }
         });
+        if height != self.tree_height {
+            self.tree_height = height;
+            ui.ctx().request_repaint();
+        }
         part(ui, "details", below, margin, |ui| self.details(ui, selection, &answer, shown, wanted))
     }
 
@@ -100,6 +118,9 @@ impl Panel {
         // one that is not there now is shown when it is there again
         let mut shown_tab = Tab::default();
         ui.horizontal_wrapped(|ui| {
+            if ui.available_width() < ONE_ROW_MIN_WIDTH {
+                (ui.spacing_mut().button_padding.x, ui.spacing_mut().item_spacing.x) = (5.0, 3.0);
+            }
             for (tab, name, hint, is_there) in [
                 (Tab::Ray, "The ray", "The terms and numbers of the selected ray", true),
                 (Tab::Section, "The section", "The plane of incidence of its hit", true),
@@ -216,18 +237,20 @@ impl Panel {
         selection.tree.hovered = hovered;
     }
 
+    /// Shows the pixel and its sum, and what is beside it; returns where the sum ends.
     fn head(
         &mut self,
         ui: &mut Ui,
         selection: &mut Selection,
         answer: &PixelExplanation,
         shown: &Shown<'_>,
-    ) {
+    ) -> f32 {
         let ([x, y], last) = (answer.pixel, answer.samples_per_pixel - 1);
         let is_narrow = ui.available_width() < ONE_ROW_MIN_WIDTH;
         ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 5.0;
             swatch(ui, display::color(shown.tone, answer.radiance));
-            ui.heading(format!("Pixel ({x}, {y})"));
+            fixed(ui, HEADING_WIDTH, |ui| drop(ui.heading(format!("Pixel ({x}, {y})"))));
             for (by, name, hint) in [(-1, "‹", "back (Alt-Left)"), (1, "›", "forward (Alt-Right)")]
             {
                 let button = ui.add_enabled(selection.can_go(by), Button::new(name).small());
@@ -265,12 +288,16 @@ impl Panel {
             ui.weak(note);
         }
         pixel::sum(ui, answer, shown);
+        let end = ui.cursor().top();
         if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
+            let other = selection.beside.explanation().filter(|_| theirs.is_twin());
             let explained = match theirs.explained() {
-                Some(_) => Some(answer),
-                None => selection.beside.explanation().filter(|_| theirs.is_twin()),
+                Some(_) => [other, Some(answer)],
+                None => [Some(answer), other],
             };
-            let explained = explained.filter(|it| it.pixel == answer.pixel).map(|it| it.radiance);
+            let radiance =
+                |it: &PixelExplanation| (it.pixel == answer.pixel).then_some(it.radiance);
+            let explained = explained.map(|it| it.and_then(radiance));
             pixel::theirs(ui, answer.pixel, (theirs, explained), shown);
         }
         let beside = selection.beside.explanation();
@@ -278,21 +305,28 @@ impl Panel {
         if let Some(PixelExplanation { pixel: [x, y], radiance, .. }) = pinned {
             ui.horizontal_wrapped(|ui| {
                 swatch(ui, display::color(shown.tone, *radiance));
-                let text = format!("pinned ({x}, {y}): {}", text::brief::short(*radiance));
+                let text = format!("pinned ({x}, {y}): {}", short(*radiance));
                 ui.label(RichText::new(text).monospace().size(12.0));
             });
         }
+        end
     }
 }
 
-fn sample_tree(ui: &mut Ui, tree: &mut Tree, sample: &SampleExplanation, tone: &Tone) {
-    let index = sample.index;
+/// Shows the tree of a sample; returns the height that it needs.
+fn sample_tree(
+    ui: &mut Ui,
+    tree: &mut Tree,
+    sample: &SampleExplanation,
+    (tone, has_legend): (&Tone, bool),
+) -> f32 {
+    let (index, top) = (sample.index, ui.cursor().top());
     let Some(root) = &sample.ray else {
         ui.strong(format!("Sample {index}"));
         ui.label("No ray: the camera sees nothing there.");
-        return;
+        return ui.cursor().top() - top;
     };
-    let film = |[x, y]: [f64; 2]| format!(", at ({x:.4}, {y:.4}) on the view plane");
+    let film = |[x, y]: [f64; 2]| format!(", at ({}, {}) on the view plane", brief(x), brief(y));
     let film = sample.film.map_or(String::new(), film);
     ui.horizontal(|ui| {
         ui.strong(format!("Sample {index}"));
@@ -302,14 +336,16 @@ fn sample_tree(ui: &mut Ui, tree: &mut Tree, sample: &SampleExplanation, tone: &
         if follow.on_hover_text(hint).clicked() || key {
             tree.follow_largest(root);
         }
-        let rays = text::brief::count(root.count(), "ray");
+        let rays = count(root.count(), "ray");
         ui.add(Label::new(RichText::new(rays + &film).weak()).truncate());
     });
     // no legend in a low window: each line names its kind of ray too
-    if ui.available_height() > LEGEND_MIN_HEIGHT {
+    if has_legend {
         legend(ui);
     }
-    tree.show(ui, root, tone);
+    let used = ui.cursor().top() - top;
+    // with the margins around it
+    used + tree.show(ui, root, tone) + 10.0
 }
 
 /// Shows a verdict as the command prints it, to be read, selected and copied.

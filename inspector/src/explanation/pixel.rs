@@ -1,6 +1,6 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
-use eframe::egui::{Button, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
+use eframe::egui::{Button, DragValue, Label, RichText, ScrollArea, TextWrapMode, Ui};
 use explain::{PixelExplanation, RecordedRay};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
@@ -93,19 +93,21 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     let rendered = shown.radiance(answer.pixel);
     let program = shown.subject().program;
     let made = program.filter(|program| program.log().is_none());
-    let subject = made.map_or("The pixel".to_owned(), |it| format!("With {} the pixel", it.name));
+    let subject = made.map_or("The".to_owned(), |it| format!("With {} the", it.name));
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
         time => format!(", times the exposure time {time:?}"),
     };
     let mean = match answer.samples_per_pixel {
-        1 => "the radiance of its one sample".to_owned(),
-        count => format!("the mean of its {count} samples"),
+        1 => "radiance of its one sample".to_owned(),
+        count => format!("mean of its {count} samples"),
     };
-    ui.label(format!("{subject} is {mean}{exposure}:"));
-    let total = format!("= {}", details::exact_color(answer.radiance));
-    let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
-    ui.label(text).on_hover_text(total);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(format!("{subject} {mean}{exposure}"));
+        let total = format!("= {}", details::exact_color(answer.radiance));
+        let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
+        ui.add(Label::new(text).extend()).on_hover_text(total);
+    });
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
     match rendered {
         None => ui.weak("this pixel is not rendered yet"),
@@ -125,18 +127,18 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     };
 }
 
-/// Shows their value of the pixel, the explained one until it is rendered, and the difference from ours.
+/// Shows their value of the pixel and the difference from ours; of both, the explained value until it is rendered.
 pub fn theirs(
     ui: &mut Ui,
     pixel: [u32; 2],
-    (theirs, explained): (&Theirs, Option<Rgb>),
+    (theirs, [ours, explained]): (&Theirs, [Option<Rgb>; 2]),
     shown: &Shown<'_>,
 ) {
     let Some(radiance) = theirs.radiance(pixel).or(explained) else { return };
     let value = theirs.value(pixel).unwrap_or_else(|| short(radiance));
     let name = theirs.short_name();
     let small = |text: String| RichText::new(text).monospace().size(12.0);
-    let early = || Some(explained? - shown.rendering.radiance(pixel)?);
+    let early = || Some(explained? - shown.rendering.radiance(pixel).or(ours)?);
     let difference = theirs.difference(shown.rendering, pixel).or_else(early);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
     ui.horizontal_wrapped(|ui| {

@@ -23,7 +23,7 @@ const HEAD: f64 = 11.0;
 /// The margin around the drawing, with room for words.
 const MARGIN: f32 = 34.0;
 /// The least height of the drawing.
-const MIN_HEIGHT: f32 = 150.0;
+const MIN_HEIGHT: f32 = 60.0;
 
 /// The zoom: all of the drawing, and the largest.
 const ZOOM: [f64; 2] = [1.0, 1e6];

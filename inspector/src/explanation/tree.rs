@@ -77,6 +77,7 @@ pub fn kind_color(ray: &RecordedRay) -> Color32 {
 /// Shows what the colours mean.
 pub fn legend(ui: &mut Ui) {
     ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
         ui.weak("Rays:");
         for (name, color) in KINDS.into_iter().chain([("no ray", LOCAL)]) {
             ui.label(RichText::new(name).color(ink(ui.visuals(), color)));
@@ -133,8 +134,8 @@ impl Tree {
         self.go_to(root, next.map_or(root.number, |ray| ray.number));
     }
 
-    /// Shows the lines in view; a click selects a ray.
-    pub fn show(&mut self, ui: &mut Ui, root: &RecordedRay, tone: &Tone) {
+    /// Shows the lines in view; a click selects a ray. Returns the height of all lines.
+    pub fn show(&mut self, ui: &mut Ui, root: &RecordedRay, tone: &Tone) -> f32 {
         let rows = self.outline.rows(root);
         let wanted = std::mem::take(&mut self.scroll);
         let is_selected =
@@ -186,6 +187,7 @@ impl Tree {
                 });
             }
         });
+        LINE * rows.len() as f32
     }
 
     fn ray_line(

@@ -218,9 +218,6 @@ impl Picture {
         if let Some(pixel) = selected {
             mark(painter, placement.rect(pixel), SELECTED);
         }
-        if placement.scale >= COORDINATES_MIN_SCALE {
-            coordinates(painter, placement);
-        }
     }
 }
 
@@ -229,8 +226,11 @@ const COORDINATES_MIN_SCALE: f32 = 12.0;
 /// The least distance between coordinates at an edge, in points of the screen.
 const COORDINATES: f32 = 36.0;
 
-/// Writes columns and rows at the upper and the left edge.
-fn coordinates(painter: &Painter, placement: &Placement) {
+/// Writes columns and rows at the upper and the left edge, if pixels are large.
+pub fn coordinates(painter: &Painter, placement: &Placement) {
+    if placement.scale < COORDINATES_MIN_SCALE {
+        return;
+    }
     let area = painter.clip_rect();
     let visible = area.intersect(placement.whole());
     let step = (COORDINATES / placement.scale).ceil() as usize;

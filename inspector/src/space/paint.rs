@@ -3,9 +3,12 @@
 
 use std::collections::BTreeMap;
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Visuals, vec2};
+use eframe::egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, Visuals, vec2,
+};
 use explain::RecordedRay;
 use groundtruth::math::{Point, atan2, ln, to_degrees};
+use groundtruth::printable::name;
 use groundtruth::render;
 use groundtruth::world::World;
 use space::{End, Segment, Sight};
@@ -22,6 +25,8 @@ const DIMMED: f32 = 0.3;
 const LEAST_ANGLE: f64 = 1e-3;
 /// The dark way behind an occluder.
 const DARK: Color32 = Color32::BLACK;
+/// The margin around labels, with room for the lines at the corners of the view, in points of the screen.
+const LABEL_MARGIN: Vec2 = vec2(4.0, 26.0);
 /// The points on each edge of the film: the edge is curved for some cameras.
 const EDGE_POINTS: u32 = 12;
 
@@ -135,6 +140,47 @@ impl Canvas<'_> {
         drawn
     }
 
+    /// Writes the numbers of rays at their ends, with the name of the object or lamp there, each once; of a ray that ends out
+    /// of view at the border, where an arrow leads there.
+    pub fn labels(&self, rays: &[&RecordedRay], segments: &[Segment]) {
+        let inner = self.painter.clip_rect().shrink2(LABEL_MARGIN);
+        let (mut named, mut taken) = (Vec::new(), Vec::<Rect>::new());
+        for segment in segments.iter().filter(|it| it.end != End::Dark) {
+            let Some(ray) = rays.iter().find(|ray| ray.number == segment.ray) else { continue };
+            let ends = self.sight.clip(segment.from, segment.to);
+            let Some([(from, _), (tip, part)]) = ends else { continue };
+            let [from, tip] = [from, tip].map(|at| self.screen(at));
+            let there = match segment.end {
+                End::Hit => ray.hit.as_ref().map(|hit| &*hit.object),
+                End::Occluder => ray.blocked_by.as_deref(),
+                End::Light | End::Leaves | End::Dark => ray.light.as_deref().or(Some("background")),
+            };
+            let there = there.filter(|there| !named.contains(there));
+            named.extend(there);
+            let text = there.map_or(String::new(), |there| format!(" {}", name(there)));
+            let color = ink(self.visuals, kind_color(ray));
+            if part < 1.0 {
+                self.arrowhead(tip, (tip - from).normalized(), color, 1.0);
+            }
+            let text = format!("{}{text}", ray.number);
+            let text = self.painter.layout_no_wrap(text, FontId::proportional(12.0), color);
+            let beside = |(ring, [x, y]): (u8, [f32; 2])| {
+                let away = 0.5 * text.size() + f32::from(ring) * vec2(6.0, 5.0);
+                let corner = tip + away * vec2(x, y) - 0.5 * text.size();
+                Rect::from_min_size(corner.clamp(inner.min, inner.max - text.size()), text.size())
+            };
+            let sides = [[1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0]];
+            let places = (1..4).flat_map(|ring| sides.map(|side| (ring, side))).map(beside);
+            let is_free = |place: &Rect| !taken.iter().any(|other| other.intersects(*place));
+            if let Some(place) = places.into_iter().find(is_free) {
+                let ground = halo(self.visuals).gamma_multiply(0.7);
+                self.painter.rect_filled(place.expand(1.0), 2.0, ground);
+                self.painter.galley(place.min, text, color);
+                taken.push(place);
+            }
+        }
+    }
+
     /// Rings the place where two rays part, with the angle between them.
     pub fn parting(&self, [this, other]: [&RecordedRay; 2]) {
         let [a, b] = [this, other].map(|ray| ray.ray.direction);
@@ -150,8 +196,9 @@ impl Canvas<'_> {
             self.painter.circle_stroke(at, 9.0, Stroke::new(width, color));
         }
         let font = FontId::proportional(13.0);
-        let place = at + vec2(12.0, -12.0);
-        self.painter.text(place, Align2::LEFT_BOTTOM, text, font, strong);
+        // labels are at the right
+        let place = at + vec2(-12.0, -12.0);
+        self.painter.text(place, Align2::RIGHT_BOTTOM, text, font, strong);
     }
 
     /// Marks the end of a piece: an arrowhead where it goes on or hits, a dot at a lamp, a cross at an occluder.
@@ -166,16 +213,14 @@ impl Canvas<'_> {
             return;
         }
         let along = (end - start).normalized();
-        let fill = color.gamma_multiply(opacity);
-        let edge = Stroke::new(1.0, halo(self.visuals).gamma_multiply(opacity));
         match segment.end {
             End::Hit | End::Leaves if (end - start).length() > 4.0 => {
-                let side = 4.0 * along.rot90();
-                let back = tip - 9.0 * along;
-                let head = vec![tip, back + side, back - side];
-                self.painter.add(Shape::convex_polygon(head, fill, edge));
+                self.arrowhead(tip, along, color, opacity);
             }
-            End::Light => drop(self.painter.circle(tip, 4.0, fill, edge)),
+            End::Light => {
+                let edge = Stroke::new(1.0, halo(self.visuals).gamma_multiply(opacity));
+                self.painter.circle(tip, 4.0, color.gamma_multiply(opacity), edge);
+            }
             End::Occluder => {
                 for across in [vec2(4.0, 4.0), vec2(4.0, -4.0)] {
                     self.stroke([tip - across, tip + across], 2.0, color, opacity);
@@ -183,6 +228,13 @@ impl Canvas<'_> {
             }
             End::Hit | End::Leaves | End::Dark => {}
         }
+    }
+
+    fn arrowhead(&self, tip: Pos2, along: Vec2, color: Color32, opacity: f32) {
+        let edge = Stroke::new(1.0, halo(self.visuals).gamma_multiply(opacity));
+        let (side, back) = (4.0 * along.rot90(), tip - 9.0 * along);
+        let head = vec![tip, back + side, back - side];
+        self.painter.add(Shape::convex_polygon(head, color.gamma_multiply(opacity), edge));
     }
 
     /// Draws the scene's camera: the edges of its film, `length` before the eye, and the pixel.

@@ -243,7 +243,9 @@ impl SpaceView {
         if let Some(pieces) = &self.pieces {
             let runs = self.backdrop.runs(&pieces.segments);
             let path = selection.root().map_or(Vec::new(), |(_, root)| root.path_to(selected));
-            let path = path.into_iter().map(|ray| ray.number);
+            let next = path.last().map_or(&[][..], |ray| &ray.children);
+            let labelled: Vec<_> = path.iter().copied().chain(next).collect();
+            let path = path.iter().map(|ray| ray.number);
             let all_lit: Vec<usize> = lit.into_iter().chain(path).collect();
             let other = selection.root_beside().map(|(_, other)| other);
             if let (Some(pieces), Some(other)) = (&self.other, other) {
@@ -266,6 +268,7 @@ impl SpaceView {
                 dashed: false,
                 normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
+            canvas.labels(&labelled, &pieces.segments);
             let trees =
                 selection.root().map(|(_, root)| root).zip(other.filter(|_| self.other.is_some()));
             let parted = trees.and_then(|(root, other)| beside::parting(root, other));

@@ -15,7 +15,7 @@ use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
 use crate::platform::Purpose;
 use crate::scene::source::Source;
-use crate::splits::Mode;
+use crate::splits::{Mode, fixed};
 use crate::window::picker::ScenePicker;
 
 /// The text typed into the bars.
@@ -285,15 +285,6 @@ pub fn status(
 /// The width of the size of the picture in the status bar, and of its progress, in points of the screen.
 const SIZE_WIDTH: f32 = 172.0;
 const PROGRESS_WIDTH: f32 = 190.0;
-
-/// Shows something in a part of a row that keeps its width, so that what comes after it does not move.
-fn fixed(ui: &mut Ui, width: f32, show: impl FnOnce(&mut Ui)) {
-    let size = vec2(width, ui.spacing().interact_size.y);
-    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
-        ui.set_min_width(width);
-        show(ui);
-    });
-}
 
 fn progress(ui: &mut Ui, rendering: &Rendering) {
     match rendering.progress() {

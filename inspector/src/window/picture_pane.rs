@@ -7,7 +7,7 @@ use crate::comparison::bar;
 use crate::comparison::others::Others;
 use crate::explanation::selection::Selection;
 use crate::explanation::{Subject, checks, trail};
-use crate::picture::display::{PINNED, Picture, mark};
+use crate::picture::display::{PINNED, Picture, coordinates, mark};
 use crate::picture::worker::Rendering;
 
 /// Shows both pictures in this area. Returns the pixel under the mouse, and what the user asks for.
@@ -43,6 +43,8 @@ pub fn show(
         bar::caption(ui, area, theirs, rendering);
         theirs.judgement.show_frames(ui, &placement)
     });
+    // over the frames of regions
+    coordinates(&ui.painter().with_clip_rect(area), &placement);
     let subject = Subject { rendering, program: program.as_ref() };
     if subject.has_camera() {
         trail::paint(ui, &placement, &selection.trail(&subject.built().world));

@@ -69,12 +69,27 @@ fn a_field_with_another_value_is_compared() {
     assert!(window.query_by_label(&format!("eta = 1.33: {}", short(b))).is_some());
     assert!(window.query_by_label(&format!("eta = 1.33 − ours: {}", short(b - a))).is_some());
     press(&mut window, Key::T);
-    assert!(window.query_by_label_contains("With eta = 1.33 the pixel is the mean").is_some());
+    assert!(window.query_by_label_contains("With eta = 1.33 the mean of").is_some());
     let with_water = explain::sample(&water(), &built(&water()), ON_GLASS, 0);
     let line = with_water.ray.expect("it sees").largest_child().expect("glass").line();
     assert!(window.query_all_by_label(&line).next().is_some(), "{line}");
     assert!(window.query_by_label("= the pixel of the picture, bit for bit").is_some());
     assert_eq!(window.state().selection.explanation().expect("explained").radiance, b);
+}
+
+/// Law: words that only one field has stand for its path. Oracle: the scene changed as text, rendered without a window.
+#[test]
+fn words_of_one_field_stand_for_its_path() {
+    let mut window = glass_window_at(ON_GLASS);
+    open_menu(&mut window);
+    type_text(&mut window, "eta=1.33");
+    enter(&mut window);
+    text_with(&window, " fields have these words");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.step();
+    type_text(&mut window, "inside.eta=1.33");
+    enter(&mut window);
+    assert_eq!(theirs(&window).radiance(ON_GLASS), Some(rendered(&water()).get(ON_GLASS)));
 }
 
 /// Law: side by side stand the numbers of the selected ray in both, ours first, whichever is shown. Oracle: the angles of

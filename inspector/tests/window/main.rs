@@ -21,6 +21,7 @@ mod sampling;
 mod scenes;
 mod second_look;
 mod space;
+mod states;
 mod staying;
 mod support;
 mod tree;

@@ -50,7 +50,7 @@ fn right_and_wrong_are_flipped_and_explained() {
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window, pixel), tone.to_bytes(wrong.get(pixel)));
     click(&mut window, pixel);
-    for (film, subject) in [(&wrong, "With no-cosine the pixel is"), (&ours, "The pixel is")] {
+    for (film, subject) in [(&wrong, "With no-cosine the mean"), (&ours, "The mean of")] {
         let explanation = window.state().selection.explanation().expect("it is explained");
         assert_eq!(explanation.radiance, film.get(pixel));
         let [x, y] = pixel;

@@ -3,7 +3,6 @@
 use eframe::egui::epaint::text::FontsView;
 use eframe::egui::{Color32, Rect, TextStyle, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::rgb::Rgb;
 
 use crate::support::*;
 
@@ -65,38 +64,6 @@ fn every_button_of_the_bars_is_whole() {
                 assert!(!rect.shrink(1.0).intersects(*at), "{name} and {other} of {size:?}");
             }
         }
-    }
-}
-
-/// Law: a message, a comparison, its judgement and what is copied move no button. Oracle: their places before.
-#[test]
-fn nothing_moves_when_something_is_told() {
-    for size in [SIZES[0], SIZES[1]] {
-        let (mut window, _) = window_of(size);
-        let places = |window: &Window| {
-            let names = ["Save", "Whole", "Compare with …", "Copy", "The ray", "The samples", "?"];
-            let place = |name| window.get_by_label(name).rect();
-            [&names.map(place)[..], &[picture(window)]].concat()
-        };
-        let before = places(&window);
-        set(&mut window, |it| it.message = Some(("the file\nis broken".to_owned(), true)));
-        text_with(&window, "is broken");
-        assert_eq!(places(&window), before, "a message, {size:?}");
-        set(&mut window, |it| it.message = None);
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let mut other = film(&window);
-        other.set([3, 4], other.get([3, 4]) + Rgb::WHITE);
-        let theirs = read(folder.path(), &other, "theirs.exr");
-        set(&mut window, |it| it.others.add_picture(theirs));
-        text_with(&window, "1 pixel (");
-        assert_eq!(places(&window), before, "a comparison, {size:?}");
-        push(&mut window, "Judge");
-        text_with(&window, "agrees: ");
-        assert_eq!(places(&window), before, "a verdict, {size:?}");
-        push(&mut window, "Copy");
-        push(&mut window, "The pixel, all its digits");
-        text_with(&window, "copied");
-        assert_eq!(places(&window), before, "copied, {size:?}");
     }
 }
 

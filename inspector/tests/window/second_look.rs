@@ -49,6 +49,10 @@ fn another_picture_is_explained_before_it_is_whole() {
     assert_eq!(explained(&window), Some(answer));
     window.run_steps(2);
     assert!(window.query_by_label(&format!("eta = 1.33: {}", short(answer))).is_some());
+    let ours = window.state().selection.explanation().expect("it is explained").radiance;
+    assert!(
+        window.query_by_label(&format!("eta = 1.33 − ours: {}", short(answer - ours))).is_some()
+    );
     assert!(text_with(&window, " %, then compared").starts_with("eta = 1.33: "));
     assert_eq!(theirs(&window).shows, Shows::Swipe);
     // right of the line, top left in its block, and not to be taken for hatching

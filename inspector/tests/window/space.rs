@@ -1,6 +1,9 @@
 //! The rays of the selected sample in space.
 
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2, vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, PointerButton, Pos2, Rect, Shape, accesskit::Role, epaint::ClippedShape,
+    pos2, vec2,
+};
 use egui_kittest::kittest::Queryable;
 use explain::RecordedRay;
 use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
@@ -268,4 +271,38 @@ fn another_scene_frames_its_rays() {
     type_into(&mut window, "File", &path.display().to_string());
     let expected = space::orbit_of(&built(&scene), &root(&window));
     assert_eq!(window.state().space.camera.orbit, Some(expected));
+}
+
+/// Law: at the end of each ray of the path to the selected one, and of those that it sends on, stands its number, with the
+/// name of what is there at the first; that of a ray that ends out of view stands inside of it, too. Oracle: `Eye::project`.
+#[test]
+fn ends_of_the_path_are_labelled() {
+    let mut window = in_space();
+    let root = root(&window);
+    let inside = root.largest_child().expect("it enters the glass").clone();
+    set(&mut window, |it| it.selection.go_to(inside.number));
+    hover(&mut window, pos2(1.0, 1.0));
+    let texts = |window: &Window| {
+        let shapes = window.output().shapes.clone();
+        let text = |clipped: ClippedShape| match clipped.shape {
+            Shape::Text(text) => Some((text.galley.job.text.clone(), text.visual_bounding_rect())),
+            _ => None,
+        };
+        let texts: Vec<(String, Rect)> = shapes.into_iter().filter_map(text).collect();
+        texts
+    };
+    let label = |window: &Window, text: &str| {
+        let view = area(window);
+        let mut found =
+            texts(window).into_iter().filter(|(it, at)| it == text && view.contains_rect(*at));
+        found.next().unwrap_or_else(|| panic!("no {text} in {:?}", texts(window))).1
+    };
+    for (ray, text) in [(&root, "0 glass sphere".to_owned()), (&inside, inside.number.to_string())]
+    {
+        let end = place(&window, ray.hit.as_ref().expect("it hits").point);
+        let distance = label(&window, &text).distance_to_pos(end);
+        assert!(distance < 30.0, "{text} is {distance} from its end");
+    }
+    let leaving = inside.children.iter().find(|ray| ray.hit.is_none()).expect("one leaves");
+    label(&window, &format!("{} background", leaving.number));
 }
