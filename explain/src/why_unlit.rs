@@ -128,8 +128,7 @@ impl Vertex<'_> {
         let mean_edge = (a.distance(b) + b.distance(c) + c.distance(a)) / 3.0;
         // the textures of an instance may be left in place: then lengths there are others
         let is_local = from.local.distance(a + beta * (b - a) + gamma * (c - a)) < 1e-6 * mean_edge;
-        let is_same = is_local && from.leaf() == to.leaf();
-        is_same.then(|| from.local.distance(to.local) / mean_edge)
+        (is_local && from.leaf() == to.leaf()).then(|| from.local.distance(to.local) / mean_edge)
     }
 
     /// Why a light has no term.
