@@ -59,6 +59,7 @@ picture() {
 picture inspector ch28/glass-sphere --size 300x300 --pixel 146,176 --view both
 picture your-rays examples/rays/black-dots.jsonl --view both
 picture tour-acne ch16/surface-acne --pixel 138,115 --view both
+picture tour-terminator ch23/smooth-sphere --pixel 90,110 --view both
 picture tour-lost-roots ch19/lost-roots --pixel 145,80
 picture tour-total-reflection ch27/mirror-ring --pixel 185,111 --view both --tab section
 picture tour-colour-bleeding ch26/cornell-box --size 140x140 --samples 16 --pixel 24,118 --sample 2 --view both

@@ -54,10 +54,16 @@ pub enum Unlit {
         /// Between the shading normal and the direction to the light.
         cos_i: f64,
     },
-    /// The light is in front of the shading normal's plane, but behind the true surface.
+    /// The light is in front of the shading normal's plane, but behind the true surface: the shadow
+    /// terminator of smooth meshes and of bumps.
     BehindTrueSurface {
         /// Between the true normal and the direction to the light.
         cos_i: f64,
+        /// Between the shading normal and the direction to the light.
+        cos_shading: f64,
+        /// How far away the hit's own mesh is in the way, in mean edges of the triangle there.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        edges: Option<f64>,
     },
     /// The lobes scatter nothing from the light's direction to the viewer.
     OutsideLobes {
@@ -91,6 +97,9 @@ pub enum Unlit {
     Blocked {
         /// Its name.
         blocked_by: Arc<str>,
+        /// If it is the hit's own mesh: how far away, in mean edges of the triangle there.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        edges: Option<f64>,
     },
     /// The medium transmits nothing.
     Absorbed,
@@ -117,6 +126,11 @@ pub fn lines(unlit: &[UnlitLight]) -> Vec<String> {
     groups.into_iter().map(line).collect()
 }
 
+fn own_mesh(edges: Option<f64>) -> String {
+    let away = |edges| format!("; its own mesh is in the way, {} of an edge away", brief(edges));
+    edges.map_or(String::new(), away)
+}
+
 impl fmt::Display for Unlit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = match self {
@@ -136,13 +150,13 @@ impl fmt::Display for Unlit {
                 let side = if *cos_i < 0.0 { "behind" } else { "in the plane of" };
                 return write!(f, "{side} the surface, cos θ = {}", brief(*cos_i));
             }
-            Self::BehindTrueSurface { cos_i } => {
-                let cos_i = brief(*cos_i);
-                return write!(f, "behind the true surface, cos θ = {cos_i} to the true normal");
+            Self::BehindTrueSurface { cos_i, cos_shading, edges } => {
+                let [lit, dark] = [cos_shading, cos_i].map(|cosine| brief(*cosine));
+                let lit = format!("shading normal lit, cos θ = {lit}, true normal dark, {dark}");
+                return write!(f, "behind the true surface: {lit}{}", own_mesh(*edges));
             }
             Self::OutsideLobes { cos_i } => {
-                let cos_i = brief(*cos_i);
-                return write!(f, "no lobe scatters it to the viewer, cos θ = {cos_i}");
+                return write!(f, "no lobe scatters it to the viewer, cos θ = {}", brief(*cos_i));
             }
             Self::Dark => "its radiance is 0",
             Self::OutsideCone { angle, outer } => {
@@ -157,8 +171,8 @@ impl fmt::Display for Unlit {
             }
             Self::HiddenPoint => "the drawn point is on the far side of the lamp, or seen edge-on",
             Self::NoDirection => "the drawn numbers give no direction",
-            Self::Blocked { blocked_by } => {
-                return write!(f, "blocked by \"{}\"", name(blocked_by));
+            Self::Blocked { blocked_by, edges } => {
+                return write!(f, "blocked by \"{}\"{}", name(blocked_by), own_mesh(*edges));
             }
             Self::Absorbed => "absorbed by the medium",
             Self::OtherColors => "the surface reflects none of its colours",

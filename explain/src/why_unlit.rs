@@ -6,12 +6,13 @@ use std::sync::Arc;
 use groundtruth::lights::{Light, LightSample};
 use groundtruth::lobes::{Bsdf, Lit};
 use groundtruth::materials::Response;
-use groundtruth::math::Span;
+use groundtruth::math::{Ray, Span};
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Draws, PathKey};
 use groundtruth::scene;
+use groundtruth::shapes::Facet;
 use groundtruth::trace::{Direct, ShadingPoint, Strategy, TermSource};
-use groundtruth::world::{PlacedLight, World};
+use groundtruth::world::{Hit, PlacedLight, World};
 
 use super::unsent::why_unsent;
 use super::{RecordedRay, RecordedTerm, Unlit, UnlitLight};
@@ -85,8 +86,11 @@ impl Vertex<'_> {
         }
         let Some(term) = terms.next() else { return Some(self.no_term(light)) };
         let shadow = term.ray.and_then(|number| ray.child(number));
+        let is_own =
+            |it: &&RecordedRay| it.blocked_by.as_ref() == Some(&self.point.hit.object.name);
+        let edges = shadow.filter(is_own).and_then(|it| self.own_mesh(&it.ray, Span::AHEAD));
         Some(match shadow.and_then(|shadow| shadow.blocked_by.clone()) {
-            Some(blocked_by) => Unlit::Blocked { blocked_by },
+            Some(blocked_by) => Unlit::Blocked { blocked_by, edges },
             None if !term.arriving.is_black() => Unlit::OtherColors,
             None => match self.hidden(light).filter(|_| shadow.is_none()) {
                 Some(hidden) => hidden,
@@ -101,9 +105,30 @@ impl Vertex<'_> {
     fn hidden(&self, light: &PlacedLight) -> Option<Unlit> {
         let casts_shadows = light.shadows || self.strategy.meets(&*light.light);
         let sample = self.sample(light).ok()?;
-        let cos_i = self.point.normals.geometry.dot(sample.direction);
         let is_hidden = casts_shadows && sample.segment.is_some() && sample.blocked.is_black();
-        (is_hidden && cos_i <= 0.0).then_some(Unlit::BehindTrueSurface { cos_i })
+        let is_behind = self.point.normals.geometry.dot(sample.direction) <= 0.0;
+        (is_hidden && is_behind).then(|| self.behind_true_surface(&sample))
+    }
+
+    fn behind_true_surface(&self, sample: &LightSample) -> Unlit {
+        let (normals, surface) = (self.point.normals, &self.point.hit.surface);
+        let [cos_shading, cos_i] =
+            [normals.shading, normals.geometry].map(|normal| normal.dot(sample.direction));
+        let to_light = Ray::new(surface.leave(sample.direction), sample.direction);
+        let max = sample.segment.map_or(f64::INFINITY, |segment| segment.length(surface.point));
+        let edges = self.own_mesh(&to_light, Span { max, ..Span::AHEAD });
+        Unlit::BehindTrueSurface { cos_i, cos_shading, edges }
+    }
+
+    /// How far ahead a ray from the hit meets the mesh of the hit, in mean edges of its triangle.
+    fn own_mesh(&self, ray: &Ray, span: Span) -> Option<f64> {
+        let there = self.world.hit_of(self.point.hit.object, ray, span)?;
+        let [from, to] = [self.point.hit, &there].map(Hit::texture_point);
+        let Facet { corners: [a, b, c], barycentric: [beta, gamma], .. } = from.facet()?;
+        let mean_edge = (a.distance(b) + b.distance(c) + c.distance(a)) / 3.0;
+        // the textures of an instance may be left in place: then lengths there are others
+        let is_local = from.local.distance(a + beta * (b - a) + gamma * (c - a)) < 1e-6 * mean_edge;
+        (is_local && from.leaf() == to.leaf()).then(|| from.local.distance(to.local) / mean_edge)
     }
 
     /// Why a light has no term.
@@ -158,7 +183,7 @@ impl Vertex<'_> {
         } else if cos_i <= 0.0 {
             Unlit::BehindSurface { cos_i }
         } else if cos_true <= 0.0 {
-            Unlit::BehindTrueSurface { cos_i: cos_true }
+            self.behind_true_surface(sample)
         } else {
             Unlit::OutsideLobes { cos_i }
         }

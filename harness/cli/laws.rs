@@ -18,6 +18,9 @@ pub struct Laws {
     /// Cases of each lobe, light or map
     #[arg(long, value_name = "N", default_value_t = claims::CASES, value_parser = whole::<usize>(1..=claims::MOST_CASES as u64))]
     cases: usize,
+    /// Ask for the lobes of a specification instead of those that the program lists; docs/laws.md names them
+    #[arg(long, value_name = "NAME", value_parser = ["openpbr"])]
+    pack: Option<String>,
     /// Print a program to start from: name your lobes, and fill in two functions
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
     init: Option<ask::Language>,
@@ -32,7 +35,11 @@ impl Laws {
         }
         self.card.check_files(None)?;
         let mut program = self.card.program.program(interrupt::flag()?);
-        let lobes = match claims::listed(&mut program) {
+        let listed = match self.pack {
+            Some(_) => Ok(claims::openpbr()),
+            None => claims::listed(&mut program),
+        };
+        let lobes = match listed {
             Ok(lobes) => self.chosen(lobes)?,
             Err(Stop::NotAsked) => {
                 eprintln!("interrupted; nothing was written");
@@ -50,8 +57,9 @@ impl Laws {
         bar.finish_and_clear();
         drop(program);
         let selection = self.only.iter().map(ToString::to_string).collect();
+        let pack = self.pack.iter().flat_map(|name| ["--pack".to_owned(), name.clone()]);
         let cases = (self.cases != claims::CASES).then_some(self.cases);
-        let told = claims::told(&card, &self.card.invocation(selection, std::iter::empty(), cases));
+        let told = claims::told(&card, &self.card.invocation(selection, pack, cases));
         self.card.write(&Written {
             told: &told,
             json: card.json(),
@@ -66,7 +74,7 @@ impl Laws {
         let names = printable::listed(lobes.iter().map(|lobe| &lobe.name));
         lobes.retain(|lobe| self.only.as_ref().is_none_or(|only| only.matches(&lobe.name)));
         match lobes.is_empty() {
-            true => Err(format!("nothing matches; the program lists {names}").into()),
+            true => Err(format!("nothing matches; listed are {names}").into()),
             false => Ok(lobes),
         }
     }

@@ -25,6 +25,7 @@ pub use description::{Claims, Description, Index, Kind, SamplingClaim, Sides, Va
 pub use domain::Domain;
 pub use laws::{Breach, Law};
 pub use run::{
-    Broken, CASES, ClaimsCard, ClaimsOptions, LawStatus, MOST_CASES, SubjectRow, listed, run,
+    Broken, CASES, ClaimsCard, ClaimsOptions, LawStatus, MOST_CASES, SubjectRow, listed, openpbr,
+    run,
 };
 pub use setting::Setting;

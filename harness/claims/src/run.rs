@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use groundtruth::math::hash;
 use groundtruth::printable;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::asked::Counted;
 use crate::description::{Description, Kind};
@@ -120,17 +120,25 @@ impl ClaimsCard {
     }
 }
 
+/// The lobes of OpenPBR of which its specification says that no light is lost.
+pub fn openpbr() -> Vec<Description> {
+    let file = toml::from_str::<Value>(include_str!("../packs/openpbr.toml"));
+    read(&file.expect("it is TOML")["lobes"]).expect("it was tested")
+}
+
 /// The lobes that a program lists.
 ///
 /// # Errors
 /// Says why there are none.
 pub fn listed(subject: &mut dyn Subject) -> Result<Vec<Description>, Stop> {
     let reply = subject.ask(&[json!({"list": {}})]).pop();
-    let list = reply.ok_or(Stop::NotAsked)??;
+    read(&reply.ok_or(Stop::NotAsked)??)
+}
+
+fn read(list: &Value) -> Result<Vec<Description>, Stop> {
     let refused = |problem: String| Stop::Refused(format!("the answer to `list`: {problem}"));
-    let entries = list.as_array().filter(|list| !list.is_empty());
-    let entries =
-        entries.ok_or_else(|| refused("it is no list of at least one entry".to_owned()))?;
+    let none = || refused("it is no list of at least one entry".to_owned());
+    let entries = list.as_array().filter(|list| !list.is_empty()).ok_or_else(none)?;
     let read = |(index, entry)| Description::read(index, entry).map_err(refused);
     let list: Vec<Description> = entries.iter().enumerate().map(read).collect::<Result<_, _>>()?;
     let mut names = BTreeSet::new();

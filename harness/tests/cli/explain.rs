@@ -63,7 +63,7 @@ fn explained(arguments: &str) -> Value {
 }
 
 /// Scenes and pixels that together have almost every field.
-const ASKED: [&str; 9] = [
+const ASKED: [&str; 10] = [
     "ch28/glass-sphere 200,150",
     "ch28/glass-sphere 200,150 --formulas",
     "ch28/glass-sphere 200,150 --mistake fresnel-transmits-all",
@@ -73,6 +73,7 @@ const ASKED: [&str; 9] = [
     "ch29/earth 200,150",
     "ch24/hall-of-mirrors 50,50 --max-depth 2",
     "ch28/glass-sphere 300,300 --tracer path --samples 4",
+    "ch23/smooth-sphere 90,110",
 ];
 
 /// Fields that need a scene of their own; tests of the library ask for them.

@@ -228,7 +228,8 @@ fn scale_acceleration_and_export_do_not_matter() {
         assert_same_bits(&format!("{name}, read again"), &render(&world), &original);
         assert_eq!(to_toml(&again).expect("plain data"), text, "{name}");
         let own = scene.accel;
-        for method in [Method::List, Method::Grid, Method::Bvh].into_iter().filter(|&it| it != own) {
+        for method in [Method::List, Method::Grid, Method::Bvh].into_iter().filter(|&it| it != own)
+        {
             scene.accel = method;
             let picture = render(&built(&scene));
             assert_same_bits(&format!("{name}, {method:?}"), &picture, &original);

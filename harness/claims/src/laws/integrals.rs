@@ -175,8 +175,7 @@ fn with_density(sample: &Option<Drawn>) -> Option<Drawn> {
 
 /// What is said of integrals that did not settle.
 fn unsettled() -> Finding {
-    let why = format!("the integral of the pdf did not settle within {BUDGET} values");
-    Finding::Undecided(why)
+    Finding::Undecided(format!("the integral of the pdf did not settle within {BUDGET} values"))
 }
 
 pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Stop> {
@@ -229,14 +228,11 @@ pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Stop>
         off(a).total_cmp(&off(b))
     });
     let (count, cell) = most.expect("there are cells");
+    let (scattered, cells) = (it.scattered, it.counts.len());
     Ok(Finding::Chance(
         p,
         Breach {
-            found: format!(
-                "{count} of {} samples in one cell (χ² of {} cells)",
-                it.scattered,
-                it.counts.len()
-            ),
+            found: format!("{count} of {scattered} samples in one cell (χ² of {cells} cells)"),
             expected: format!("{:.1} by the pdf", it.scattered as f64 * cell.value[0] / whole),
             error: it.apart(),
             mistake: if p < 1e-3 { it.factor::<C>(None) } else { None },
@@ -258,11 +254,8 @@ pub fn albedo(case: &mut LobeCase<'_>, scale: usize) -> Result<Finding, Stop> {
     let it = integrated(case, scale)?;
     let groups = |k: usize| it.weights.iter().map(|mean| mean[k]).collect::<Vec<f64>>();
     if it.has_deltas {
-        return Ok(conserved(
-            [0, 1, 2].map(|k| (groups(k), LobeCase::GRANTED)),
-            is_lossless,
-            questions,
-        ));
+        let weights = [0, 1, 2].map(|k| (groups(k), LobeCase::GRANTED));
+        return Ok(conserved(weights, is_lossless, questions));
     }
     if !it.integrals.is_known {
         return Ok(unsettled());
@@ -278,24 +271,15 @@ pub fn albedo(case: &mut LobeCase<'_>, scale: usize) -> Result<Finding, Stop> {
             mistake: None,
             questions: questions.clone(),
         };
-        if value > 1.0 + error {
-            return Ok(Finding::Broken(breach(1.0, "at most 1".to_owned())));
-        }
-        if is_lossless && value < 1.0 - error {
-            return Ok(Finding::Broken(breach(
-                1.0,
-                "1, as is claimed: nothing is lost".to_owned(),
-            )));
+        if value > 1.0 + error || is_lossless && value < 1.0 - error {
+            return Ok(Finding::Broken(breach(1.0, conserved_share(is_lossless))));
         }
         let (mean, p) = it.mean(k, value, error);
         if p < least.0 {
             least = (p, Some(breach(mean, format!("{mean:.5}, the mean weight of samples"))));
         }
     }
-    Ok(match least {
-        (p, Some(breach)) => Finding::Chance(p, breach),
-        _ => Finding::Holds,
-    })
+    Ok(least.1.map_or(Finding::Holds, |breach| Finding::Chance(least.0, breach)))
 }
 
 /// The mean weights of lobes with single directions: at most 1, and 1 where nothing is lost.
@@ -314,16 +298,17 @@ fn conserved(
         }
         let p = means::one_sample(&values, 1.0);
         if p < least.0 {
-            let expected = if is_lossless { "1: nothing is lost" } else { "at most 1" };
-            let (found, expected) = (format!("the mean weight is {mean:.6}"), expected.to_owned());
+            let found = format!("the mean weight is {mean:.6}");
+            let expected = conserved_share(is_lossless);
             let (error, questions) = (apart(mean, 1.0), questions.clone());
             least = (p, Some(Breach { found, expected, error, mistake: None, questions }));
         }
     }
-    match least {
-        (p, Some(breach)) => Finding::Chance(p, breach),
-        _ => Finding::Holds,
-    }
+    least.1.map_or(Finding::Holds, |breach| Finding::Chance(least.0, breach))
+}
+
+fn conserved_share(is_lossless: bool) -> String {
+    if is_lossless { "1, as is claimed: nothing is lost" } else { "at most 1" }.to_owned()
 }
 
 /// The light that arrives at a point: its mean by samples, and its integral.

@@ -1,11 +1,11 @@
 //! What a mistake may know of a term or a ray.
 
-use groundtruth::lights::LightContext;
+use groundtruth::lights::{LightContext, LightSample};
 use groundtruth::lobes::{Lobe, Lobes, Normals};
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, ShadingPoint, Term, TermSource};
-use groundtruth::world::World;
+use groundtruth::world::{PlacedLight, World};
 
 /// A surface that a ray met.
 #[derive(Clone, Debug)]
@@ -175,18 +175,17 @@ impl ObservedTerm<'_> {
     pub fn to_light(&self) -> Option<Vector> {
         match self.from {
             Some(ray) if self.direct().is_some() => ray.direction.unit(),
-            _ => self.single_direction(),
+            _ => Some(self.single_sample()?.direction),
         }
     }
 
     /// The direction of a light that has only one, as the light says it, for a term of direct light.
-    pub fn single_direction(&self) -> Option<Vector> {
+    pub fn single_sample(&self) -> Option<LightSample> {
         let TermSource::Direct { light, .. } = self.term.source else { return None };
         let surface = self.ray.surface.as_ref()?;
-        let light = self.world.lights.iter().find(|placed| placed.index == light)?;
+        let is_its = |placed: &&PlacedLight| placed.index == light && placed.light.draws() == 0;
         let from = LightContext { point: surface.point, normal: surface.normals.shading };
-        let single = light.light.draws() == 0;
-        Some(single.then(|| light.light.sample(&from, &[]))??.direction)
+        self.world.lights.iter().find(is_its)?.light.sample(&from, &[])
     }
 
     /// The point of the lamp from which a term of direct light comes; `None` for other lights, and if no shadow ray was

@@ -33,6 +33,11 @@ pub(super) const ALL: &[Mistake] = &[
         with_highlight(term, |n, wo, wi| times_mirrored(1.0, n, wo, wi))
     }),
     Mistake::term("sphere-normal-not-unit", sphere_normal_not_unit),
+    Mistake::term("terminator-lit", |term| {
+        let (sample, surface) = (term.single_sample()?, term.ray.surface.as_ref()?);
+        let is_behind = surface.normals.geometry.dot(sample.direction) <= 0.0;
+        (is_behind && term.arriving.is_black()).then(|| term.term.weight * sample.radiance)
+    }),
     Mistake::factor("mirror-with-cosine", |term| match term.traced()? {
         Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_) => term.cosine_of_ray(),
         _ => None,

@@ -9,8 +9,8 @@ use groundtruth::math::{Step, Vector, cos_degrees, power};
 use groundtruth::noise::Noise;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::*;
-use groundtruth::scene::{Tracer, Whitted};
-use groundtruth::shapes::{Disk, Instance, Plane};
+use groundtruth::scene::{Light, Tracer, Whitted};
+use groundtruth::shapes::{Disk, Instance, Plane, Triangle};
 use groundtruth::textures::{Checker3d, Fbm};
 
 use super::stage::*;
@@ -59,6 +59,26 @@ fn highlights() {
     let scene = lit_plane(shiny(KD), 70.0, 70.0);
     let expected = (KD / PI + half(70.0)) * cos_degrees(70.0);
     expect("highlight-of-half-vector", &scene, expected, ROUNDING);
+}
+
+/// Law: a lamp 10° below a triangle whose shading normal leans 40° to it counts with that normal's cosine; one above, and one that
+/// casts no shadow, count as with us. Oracle: `k_d/π · cosθ_i` of the shading normal.
+#[test]
+fn light_at_the_shadow_terminator() {
+    for (angle, shadows) in [(100.0, true), (100.0, false), (80.0, true)] {
+        let mut scene = plane(diffuse(), 0.0);
+        let vertices = [point(-9.0, 0.0, -9.0), point(0.0, 0.0, 9.0), point(9.0, 0.0, -9.0)];
+        scene.objects[0].shape = Triangle { vertices, normals: Some([at_angle(40.0); 3]) }.into();
+        scene.lights.push(Light { shadows, ..directional("sun", at_angle(angle), 1.0) });
+        let is_hidden = angle > 90.0 && shadows;
+        let lit = KD / PI * cos_degrees(angle - 40.0);
+        let right = value(&ours(&scene));
+        assert!(
+            (right - if is_hidden { 0.0 } else { lit }).abs() <= ROUNDING,
+            "{right} at {angle}"
+        );
+        expect("terminator-lit", &scene, lit, ROUNDING);
+    }
 }
 
 /// Law: ambient light is left out, added for each of three lights, or divided by π. Oracle: `k_a`.

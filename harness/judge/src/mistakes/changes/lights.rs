@@ -34,8 +34,8 @@ pub(super) const ALL: &[Mistake] = &[
         "highlight-direction-not-unit",
         // the longer direction is in the cosine of all direct light, too: there it is taken off
         How::Both(longer_suns, |term| {
-            let long = term.single_direction()?;
-            Some(term.times(1.0 / long.length()))
+            let long = term.single_sample()?;
+            Some(term.times(1.0 / long.direction.length()))
         }),
     ),
     Mistake::world("shadow-rays-without-end", shadow_rays_without_end),
