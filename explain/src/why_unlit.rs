@@ -11,6 +11,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{Draws, PathKey};
 use groundtruth::scene;
 use groundtruth::shapes::Facet;
+use groundtruth::textures::TexturePoint;
 use groundtruth::trace::{Direct, ShadingPoint, Strategy, TermSource};
 use groundtruth::world::{Hit, PlacedLight, World};
 
@@ -124,11 +125,8 @@ impl Vertex<'_> {
     fn own_mesh(&self, ray: &Ray, span: Span) -> Option<f64> {
         let there = self.world.hit_of(self.point.hit.object, ray, span)?;
         let [from, to] = [self.point.hit, &there].map(Hit::texture_point);
-        let Facet { corners: [a, b, c], barycentric: [beta, gamma], .. } = from.facet()?;
-        let mean_edge = (a.distance(b) + b.distance(c) + c.distance(a)) / 3.0;
-        // the textures of an instance may be left in place: then lengths there are others
-        let is_local = from.local.distance(a + beta * (b - a) + gamma * (c - a)) < 1e-6 * mean_edge;
-        (is_local && from.leaf() == to.leaf()).then(|| from.local.distance(to.local) / mean_edge)
+        let (mean_edge, _) = (mean_edge(&from)?, mean_edge(&to)?);
+        (from.leaf() == to.leaf()).then(|| from.local.distance(to.local) / mean_edge)
     }
 
     /// Why a light has no term.
@@ -188,6 +186,14 @@ impl Vertex<'_> {
             Unlit::OutsideLobes { cos_i }
         }
     }
+}
+
+/// The mean edge of the triangle of a hit; `None` where the textures of an instance are left in place: lengths there are others.
+fn mean_edge(hit: &TexturePoint<'_>) -> Option<f64> {
+    let Facet { corners: [a, b, c], barycentric: [beta, gamma], .. } = hit.facet()?;
+    let mean_edge = (a.distance(b) + b.distance(c) + c.distance(a)) / 3.0;
+    let here = a + beta * (b - a) + gamma * (c - a);
+    (hit.local.distance(here) < 1e-6 * mean_edge).then_some(mean_edge)
 }
 
 /// Why a light is not sampled at a hit.

@@ -19,7 +19,7 @@
 //! | reversed normals | reversing a mesh negates every normal and keeps every distance; reversing it twice changes nothing | `meshes::reversing_twice_changes_nothing` |
 //! | meshes with texture coordinates | if u and v of the vertices are affine functions of their position, u and v of a hit are the same functions; also through instances, compounds and lattices | `uv::texture_coordinates_are_interpolated_where_the_file_has_them` |
 //!
-//! Beyond the book: 1 in `files`, 1 in `leaks`, 1 in `lists`, 1 in `meshes`, 5 in `outside`, 1 in `smooth`, 3 in `watertight`.
+//! Beyond the book: 1 in `files`, 1 in `leaks`, 1 in `lists`, 2 in `meshes`, 5 in `outside`, 1 in `smooth`, 1 in `blocks`, 2 in `nodes`, 2 in `space`, 3 in `watertight`.
 
 mod files;
 mod leaks;

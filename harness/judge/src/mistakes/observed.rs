@@ -179,7 +179,7 @@ impl ObservedTerm<'_> {
         }
     }
 
-    /// The direction of a light that has only one, as the light says it, for a term of direct light.
+    /// What a light that has only one direction says of it, for a term of direct light.
     pub fn single_sample(&self) -> Option<LightSample> {
         let TermSource::Direct { light, .. } = self.term.source else { return None };
         let surface = self.ray.surface.as_ref()?;
