@@ -1,6 +1,6 @@
 //! A node: the boxes of sixteen children, tested at once.
 //!
-//! The boxes are in single precision and larger by [`PAD`] on all sides than those of `space.rs`,
+//! The boxes are in single precision and larger by `PAD` on all sides than those of `space.rs`,
 //! so that no rounding here loses a box that the ray crosses. The list gives the distance by which
 //! each rounding can move a plane, for an origin within 4.25 of the centre and planes within 1 (u =
 //! 2⁻²⁴):
@@ -10,7 +10,7 @@
 //! - of the product of inverse and plane, if it is not fused with the sum: 1 u;
 //! - of the sum: 5.25 u.
 //!
-//! Together 30 u, less than [`PAD`]. The slack adds less than 2⁻²⁰ of itself. Clamping 1/d to 10¹⁸
+//! Together 30 u, less than `PAD`. The slack adds less than 2⁻²⁰ of itself. Clamping 1/d to 10¹⁸
 //! is harmless: the largest component of d is at least 10⁻⁹, so a plane that is not within 2⁻²⁴ of
 //! the origin is still met beyond the space.
 
@@ -85,7 +85,7 @@ pub type Crossed = (u32, [f32; WIDTH]);
 
 /// A single-precision number not above `x ≥ 0`: the factor subtracts at least one unit in the last
 /// place, and rounding to single precision adds at most half of one. (Below 10⁻³⁸ the result may
-/// exceed `x` by 10⁻⁴⁵, which is negligible beside [`PAD`].)
+/// exceed `x` by 10⁻⁴⁵, which is negligible beside `PAD`.)
 #[inline(always)]
 pub fn rounded_down(x: f64) -> f32 {
     (1.0 - f32::EPSILON) * x as f32

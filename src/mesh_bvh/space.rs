@@ -2,7 +2,7 @@
 //! them.
 //!
 //! The origin is the centre of all boxes, and the unit is a power of two. A ray from nearby
-//! ([`NEAR`]) is translated and scaled like the boxes. A ray from elsewhere also starts later:
+//! (`NEAR`) is translated and scaled like the boxes. A ray from elsewhere also starts later:
 //! where its longest component is 2 before the centre. If it meets the boxes, it then starts at
 //! most 4 from the centre.
 //!
@@ -34,7 +34,7 @@ pub struct Space {
     /// Units of this space in one unit of the world.
     scale: f64,
     /// The coordinate extent: the largest coordinate in the world, in units of the space, but at
-    /// least [`NEAR`].
+    /// least `NEAR`.
     extent: f64,
 }
 
