@@ -8,7 +8,7 @@ use space::Section;
 
 use super::borders::near;
 use super::section::trees;
-use super::support::{block, built, light};
+use super::support::{WHITE, block, built, light, object, traced};
 
 /// Of a length: products of a few rounded numbers.
 const ROUNDING: f64 = 1e-9;
@@ -122,4 +122,14 @@ fn the_plane_of_incidence_goes_where_the_ray_goes() {
     let section = Section::of(&world, &root, 0).expect("it hits");
     assert_eq!(section.plane.vector([1.0, 0.0]), Vector::X, "the x axis of a block from above");
     assert_eq!(section.plane.origin, Point::ORIGIN, "the origin of a block from above");
+    for (wall, axis) in [([1, 0, 0], Vector::Z), ([0, 0, 1], Vector::X)] {
+        let shape = format!("shape.plane = {{ point = [0, 0, 0], normal = {wall:?} }}");
+        let image = "image = { width = 5, height = 5 }";
+        let camera = format!("eye = {wall:?}, look_at = [0, 0, 0], lens.orthographic = {{}}");
+        let wall = object("wall", &shape);
+        let (world, root) =
+            traced(&format!("{image}\ncamera = {{ {camera} }}\n{WHITE}{wall}"), [2, 2]);
+        let section = Section::of(&world, &root, 0).expect("it hits");
+        assert_eq!(section.plane.vector([1.0, 0.0]), axis, "the x axis of a wall");
+    }
 }
