@@ -192,6 +192,7 @@ impl Vertex<'_> {
 fn mean_edge(hit: &TexturePoint<'_>) -> Option<f64> {
     let Facet { corners: [a, b, c], barycentric: [beta, gamma], .. } = hit.facet()?;
     let mean_edge = (a.distance(b) + b.distance(c) + c.distance(a)) / 3.0;
+    // equal but for rounding: a placed point is elsewhere by a good part of the mesh
     let here = a + beta * (b - a) + gamma * (c - a);
     (hit.local.distance(here) < 1e-6 * mean_edge).then_some(mean_edge)
 }

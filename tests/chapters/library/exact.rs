@@ -21,6 +21,8 @@ fn less_products_survives_cancellation() {
     let e = f64::EPSILON;
     assert_eq!(less_products(1.0, [1.0 + e, 0.0, 0.0], [1.0 - e, 0.0, 0.0]), e * e);
     assert_eq!(less_products(1.0, [1.0 + e, e, 0.0], [1.0 - e, 1.0, 0.0]), e * e - e);
+    // what the first sum loses is all that is left
+    assert_eq!(less_products(1.0, [-1e-20, 1.0, 0.0], [1.0, 1.0, 0.0]), 1e-20);
 }
 
 /// Law: sum and error are the exact sum, product and error the exact product. Oracle: by hand.
