@@ -90,6 +90,8 @@ pub fn legend(ui: &mut Ui) {
 pub struct Tree {
     /// The number of the selected ray.
     pub ray: usize,
+    /// The number of the ray at the end of the path that is walked in steps.
+    end: usize,
     /// The number of the ray that is pointed at in this frame, wherever it is shown.
     pub hovered: Option<usize>,
     /// The number of the ray that was pointed at in the last frame, which is lit wherever it is shown.
@@ -105,6 +107,7 @@ impl Default for Tree {
     fn default() -> Self {
         Self {
             ray: 0,
+            end: 0,
             hovered: None,
             lit: None,
             found: Arc::default(),
@@ -118,6 +121,13 @@ impl Tree {
     /// The selected ray; the camera's if this tree does not have it.
     pub fn selected<'a>(&self, root: &'a RecordedRay) -> &'a RecordedRay {
         root.path_to(self.ray).last().copied().unwrap_or(root)
+    }
+
+    /// The path that is walked in steps, from the camera's ray: to the selected ray, and on while only rays of it are selected.
+    pub fn path<'a>(&self, root: &'a RecordedRay) -> Vec<&'a RecordedRay> {
+        let path = root.path_to(self.end);
+        let is_on_it = path.iter().any(|ray| ray.number == self.ray);
+        if is_on_it { path } else { root.path_to(self.ray) }
     }
 
     /// Selects a ray, opens everything that hides it and scrolls to it.
@@ -136,6 +146,7 @@ impl Tree {
 
     /// Shows the lines in view; a click selects a ray. Returns the height of all lines.
     pub fn show(&mut self, ui: &mut Ui, root: &RecordedRay, tone: &Tone) -> f32 {
+        self.end = self.path(root).last().map_or(self.ray, |ray| ray.number);
         let rows = self.outline.rows(root);
         let wanted = std::mem::take(&mut self.scroll);
         let is_selected =

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, Context, Id, Rect, Response, Sense, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
+    Align2, Context, Id, Rect, Response, Sense, Slider, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
 };
 use explain::RecordedRay;
 use groundtruth::printable::name;
@@ -21,12 +21,15 @@ use crate::space::backdrop::{Backdrop, Request};
 use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
 use crate::space::paint::{Canvas, Rays, numbered};
-use crate::splits::{Mode, part};
+use crate::splits::{Mode, fixed, part};
 
 /// The most pieces of rays that are drawn.
 const MAX_PIECES: usize = 4000;
 /// The margin of the buttons, in points of the screen.
 const MARGIN: Vec2 = vec2(6.0, 3.0);
+
+/// The width of the slider along a path with its words, in points of the screen.
+const STEPS_WIDTH: f32 = 160.0;
 
 /// The lengths of the frustum of the scene's camera and of normals, in distances of the orbiting camera.
 const FRUSTUM: f64 = 0.08;
@@ -144,13 +147,17 @@ impl SpaceView {
         let world = &subject.built().world;
         let tree = selection.root();
         let trees = [tree, selection.root_beside().filter(|_| is_both)];
-        self.update_pieces(world, trees, selection.tree.ray);
+        let path = tree.map_or(Vec::new(), |(_, root)| selection.tree.path(root));
+        let path: Vec<usize> = path.iter().map(|ray| ray.number).collect();
+        self.update_pieces(world, trees, path.last().copied().unwrap_or(0));
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));
-        let (root, selected) = (tree.map(|(_, root)| root), selection.tree.ray);
+            let (root, selected) = (tree.map(|(_, root)| root), selection.tree.ray);
         let scene = Seen { world, root, selected, segments: &segments };
         self.camera.start(&scene);
-        let buttons = part(ui, "space buttons", area, MARGIN, |ui| self.buttons(ui, &scene));
+        let mut stepped = None;
+        let walk = (&*path, &mut stepped);
+        let buttons = part(ui, "space buttons", area, MARGIN, |ui| self.buttons(ui, &scene, walk));
         let view = area.with_min_y(buttons.bottom() + MARGIN.y);
         let response = ui.interact(view, Id::unique("space"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "space"));
@@ -167,7 +174,8 @@ impl SpaceView {
             segments: Arc::clone(&segments),
         };
         self.backdrop.refresh(ui.ctx(), world, request);
-        self.paint(ui, view, &response, (world, subject.has_camera()), selection)
+        let pointed = self.paint(ui, view, &response, (world, subject.has_camera()), selection);
+        Pointed { clicked: stepped.or(pointed.clicked), ..pointed }
     }
 
     /// Works the pieces out again if the tree or the filter has changed.
@@ -189,7 +197,13 @@ impl SpaceView {
         }
     }
 
-    fn buttons(&mut self, ui: &mut Ui, scene: &Seen<'_>) -> Rect {
+    /// Shows the buttons, and the slider that walks along the path to a ray: returns where they end.
+    fn buttons(
+        &mut self,
+        ui: &mut Ui,
+        scene: &Seen<'_>,
+        (path, stepped): (&[usize], &mut Option<usize>),
+    ) -> Rect {
         let row = ui.horizontal_wrapped(|ui| {
             self.camera.buttons(ui, scene);
             ui.separator();
@@ -197,6 +211,18 @@ impl SpaceView {
                 ui.menu_button("Rays", |ui| self.filter.show(ui, root));
             }
             ui.menu_button("Look through", |ui| self.fading(ui, scene.world));
+            let last = path.len().max(1);
+            let mut step = 1 + path.iter().position(|ray| *ray == scene.selected).unwrap_or(0);
+            fixed(ui, STEPS_WIDTH, |ui| {
+                let label = ui.label("step");
+                ui.spacing_mut().slider_width = 0.4 * STEPS_WIDTH;
+                let slider = Slider::new(&mut step, 1..=last);
+                let slider = slider.custom_formatter(move |step, _| format!("{step} of {last}"));
+                let slider = ui.add_enabled(last > 1, slider).labelled_by(label.id);
+                if slider.on_hover_text("Walks along the path to the selected ray").changed() {
+                    *stepped = path.get(step - 1).copied();
+                }
+            });
         });
         row.response.rect
     }

@@ -258,6 +258,34 @@ fn small_rays_are_counted_and_not_drawn() {
     assert_eq!(all.drawn(&root, 0), ((0..rays.len()).collect(), 0));
 }
 
+/// Law: the slider walks along the path to the ray that was selected, there and back: each step selects the next ray of it, and
+/// all of it stays drawn. A ray beside the path begins another one. Oracle: the tree.
+#[test]
+fn a_slider_walks_along_the_path() {
+    let mut window = in_space();
+    let root = root(&window);
+    let inside = root.largest_child().expect("it enters the glass");
+    let beside = root.children.iter().find(|ray| ray.number != inside.number).expect("reflected");
+    let leaving = inside.children.iter().find(|ray| ray.hit.is_none()).expect("one leaves");
+    set(&mut window, |it| it.selection.go_to(leaving.number));
+    let walk = |window: &mut Window, key: Key| {
+        window.get_by_role_and_label(Role::Slider, "step").focus();
+        window.step();
+        press(window, key);
+        let step = window.get_by_role_and_label(Role::SpinButton, "step").value();
+        (window.state().selection.tree.ray, step.expect("it is shown"))
+    };
+    assert_eq!(walk(&mut window, Key::ArrowLeft), (inside.number, "2 of 3".to_owned()));
+    assert_eq!(walk(&mut window, Key::ArrowLeft), (root.number, "1 of 3".to_owned()));
+    let end = place(&window, middle(inside));
+    hover(&mut window, end);
+    assert_eq!(window.state().selection.tree.lit, Some(inside.number), "it stays drawn");
+    assert_eq!(walk(&mut window, Key::ArrowRight), (inside.number, "2 of 3".to_owned()));
+    assert_eq!(walk(&mut window, Key::ArrowRight), (leaving.number, "3 of 3".to_owned()));
+    set(&mut window, |it| it.selection.go_to(beside.number));
+    assert_eq!(walk(&mut window, Key::ArrowLeft), (root.number, "1 of 2".to_owned()));
+}
+
 /// Law: in a scene that is opened while space is shown the view frames its rays, not the whole scene. Oracle: the library's
 /// camera for the tree of the proposed pixel.
 #[test]
