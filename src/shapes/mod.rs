@@ -48,6 +48,7 @@ impl Surface {
     }
 
     /// The same surface, on a part that has this border.
+    #[inline]
     fn within(self, border: Option<Box<Border>>) -> Self {
         let along = |mut border: Box<Border>| {
             *border = border.along(self.normal);
@@ -65,6 +66,7 @@ impl Surface {
     }
 
     /// A plane through `anchor`, hit near `point`, which is moved onto it.
+    #[inline]
     pub fn flat(point: Point, anchor: Point, normal: Normal) -> Self {
         let off = (point - anchor).dot(normal);
         let point = point - off * normal;

@@ -51,7 +51,7 @@ pub trait Roots {
 
 /// The one root of a plane, which is not finite if there is none.
 impl Roots for f64 {
-    #[inline]
+    #[inline(always)]
     fn first(self, span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
         (span.contains(self) && has(self)).then(|| Candidate::at(self))
     }

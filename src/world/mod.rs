@@ -93,6 +93,7 @@ pub struct PlacedLight {
 
 impl PlacedLight {
     /// The random numbers of its sample at a hit of a path.
+    #[inline]
     pub fn numbers(
         &self,
         path: PathKey,

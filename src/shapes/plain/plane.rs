@@ -76,6 +76,7 @@ impl Carrier for PlaneThrough {
         [self.distance(ray, self.given_normal)]
     }
 
+    #[inline]
     fn surface(&self, ray: &Ray, t: f64) -> Surface {
         Surface::flat(ray.at(t), self.anchor, self.normal)
     }

@@ -123,6 +123,7 @@ impl EvenSurface for RectangleShape {
 struct BySolidAngle(RectangleShape);
 
 impl BySolidAngle {
+    #[inline]
     fn seen_from(&self, from: Point) -> Option<SphericalRectangle> {
         let (a, b) = &self.0.trims;
         SphericalRectangle::seen_from(from, self.0.carrier.anchor, [a.a, b.a])

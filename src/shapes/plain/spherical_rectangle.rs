@@ -60,6 +60,7 @@ impl SphericalRectangle {
     }
 
     /// The point of the rectangle in the direction for two numbers in `[0, 1)`.
+    #[inline]
     pub fn point(&self, [u, v]: [f64; 2]) -> Point {
         let Self { from, axes, x: [x0, x1], y: [y0, y1], z, .. } = *self;
         let plane = |y: f64| y / (y * y + z * z).sqrt();
