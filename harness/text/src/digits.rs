@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use groundtruth::rgb::Rgb;
+
 /// A number with four digits at most: `0.003922`, `1.813`, `2.15e-7`; 0 only if it is nought.
 pub fn short(x: f64) -> String {
     with_digits(x, 4, -4..=4)
@@ -34,6 +36,16 @@ fn with_digits(x: f64, digits: usize, plain: RangeInclusive<i32>) -> String {
 /// The same of three: `(0.2383, 0.2539, 0.2376)`.
 pub fn three(numbers: [f64; 3]) -> String {
     format!("({})", numbers.map(short).join(", "))
+}
+
+/// Three numbers with all their digits.
+pub fn exact([x, y, z]: [f64; 3]) -> String {
+    format!("({x:?}, {y:?}, {z:?})")
+}
+
+/// A colour with all its digits: one number if its channels are equal.
+pub fn exact_color(color: Rgb) -> String {
+    if color == Rgb::grey(color.r) { format!("{:?}", color.r) } else { exact(color.to_array()) }
 }
 
 /// A text whose long numbers have four digits; words, and names with digits in them, stay.

@@ -7,7 +7,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
 use groundtruth::trace::{Outcome, RayKind};
 use text::brief::{brief, percent, short};
-use text::digits::shortened;
+use text::digits::{exact, exact_color, shortened};
 
 use crate::explanation::tree::kind_color;
 use crate::picture::display::ink;
@@ -22,17 +22,6 @@ const TERM_HINTS: [&str; 4] = [
     "The ray along which the light arrives",
     "The product that is the term",
 ];
-
-/// Numbers with all their digits.
-pub fn exact(numbers: [f64; 3]) -> String {
-    let [x, y, z] = numbers;
-    format!("({x:?}, {y:?}, {z:?})")
-}
-
-/// A colour with all its digits: one number if its channels are equal.
-pub fn exact_color(color: Rgb) -> String {
-    if color == Rgb::grey(color.r) { format!("{:?}", color.r) } else { exact(color.to_array()) }
-}
 
 /// Shows the line of a ray.
 pub fn head(ui: &mut Ui, ray: &RecordedRay) {

@@ -5,7 +5,7 @@ use explain::{PixelExplanation, RecordedRay};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 use text::brief::{percent, short};
-use text::digits::shortened;
+use text::digits::{exact_color, shortened};
 
 use crate::comparison::theirs::Theirs;
 use crate::explanation::copying::{self, Making};
@@ -73,7 +73,7 @@ pub fn copy_menu(
             }
         }
         if item(ui, "The pixel, all its digits", "Its radiance") {
-            text = Some(details::exact_color(radiance));
+            text = Some(exact_color(radiance));
         }
         let of_ray = ray.filter(|_| is_ours);
         if let Some(ray) =
@@ -104,7 +104,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(format!("{subject} {mean}{exposure}"));
-        let total = format!("= {}", details::exact_color(answer.radiance));
+        let total = format!("= {}", exact_color(answer.radiance));
         let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
         ui.add(Label::new(text).extend()).on_hover_text(total);
     });
@@ -120,7 +120,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
             ui.weak(format!("in the picture file: {}", short(radiance)))
         }
         Some(radiance) => {
-            let text = details::exact_color(radiance);
+            let text = exact_color(radiance);
             let text = format!("differs from the pixel of the picture: {text}");
             ui.colored_label(ui.visuals().error_fg_color, text)
         }
@@ -150,11 +150,17 @@ pub fn theirs(
     }
 }
 
+/// The explanation of the standard error.
+const STANDARD_ERROR: &str =
+    "Of the mean, as if the samples were independent; well-spread ones are nearer";
+
 /// A line of the sum's list.
 enum Line {
     Words(&'static str),
     Numbers(String),
-    Spread,
+    Error(Rgb),
+    /// The sample of least or greatest radiance, which a click chooses.
+    Extreme(&'static str, u32),
     Sample(u32),
 }
 
@@ -192,7 +198,11 @@ impl SumList<'_> {
             lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
         }
         if self.answer.samples_per_pixel > 1 {
-            lines.extend([Line::Spread, Line::Words("samples with their shares, by value")]);
+            let statistics = &self.answer.statistics;
+            let extremes = [("least", statistics.least), ("greatest", statistics.greatest)];
+            lines.extend(statistics.standard_error.map(Line::Error));
+            lines.extend(extremes.map(|(name, sample)| Line::Extreme(name, sample)));
+            lines.push(Line::Words("samples with their shares, by value"));
             lines.extend(sorted(self.answer).into_iter().map(Line::Sample));
         }
         lines
@@ -200,29 +210,25 @@ impl SumList<'_> {
 
     fn line(&mut self, ui: &mut Ui, line: &Line) {
         match line {
-            Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
+            // what it counts stands behind the colon
+            Line::Words(words) => {
+                let name = words.split_once(": ").map_or(*words, |(name, _)| name);
+                ui.strong(name).on_hover_text(*words);
+            }
             Line::Numbers(text) => {
                 let small = RichText::new(text).monospace().size(11.5);
                 ui.label(small).on_hover_text(text);
             }
-            Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
-            Line::Sample(index) => self.sample(ui, *index),
-        }
-    }
-
-    /// Shows standard error, least and greatest; a click on the last two chooses that sample.
-    fn spread(&mut self, ui: &mut Ui) {
-        let statistics = &self.answer.statistics;
-        if let Some(error) = statistics.standard_error {
-            let hint =
-                "Of the mean, as if the samples were independent; well-spread ones are nearer";
-            ui.weak(format!("standard error {}", short(error))).on_hover_text(hint);
-        }
-        for (name, index) in [("least", statistics.least), ("greatest", statistics.greatest)] {
-            let radiance = short(self.answer.radiances[index as usize]);
-            if ui.link(format!("{name} {radiance}, sample {index}")).clicked() {
-                *self.chosen = index;
+            Line::Error(error) => {
+                ui.weak(format!("standard error {}", short(*error))).on_hover_text(STANDARD_ERROR);
             }
+            Line::Extreme(name, index) => {
+                let radiance = short(self.answer.radiances[*index as usize]);
+                if ui.link(format!("{name} {radiance}, sample {index}")).clicked() {
+                    *self.chosen = *index;
+                }
+            }
+            Line::Sample(index) => self.sample(ui, *index),
         }
     }
 

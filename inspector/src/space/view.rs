@@ -152,7 +152,7 @@ impl SpaceView {
         self.update_pieces(world, trees, path.last().copied().unwrap_or(0));
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));
-            let (root, selected) = (tree.map(|(_, root)| root), selection.tree.ray);
+        let (root, selected) = (tree.map(|(_, root)| root), selection.tree.ray);
         let scene = Seen { world, root, selected, segments: &segments };
         self.camera.start(&scene);
         let mut stepped = None;

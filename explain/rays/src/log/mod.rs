@@ -13,6 +13,7 @@ use groundtruth::math::{Point, Vector};
 use groundtruth::printable;
 use groundtruth::rgb::Rgb;
 use serde_json::{Map, Value};
+use text::digits::{exact, exact_color};
 
 pub use digits::Digits;
 pub use fields::{FIELDS, Field};
@@ -177,12 +178,14 @@ impl Ray {
     pub fn fields(&self) -> Vec<(String, String)> {
         let factors = &self.factors;
         let number = |x: Option<f64>| x.map(|x| format!("{x:?}"));
-        let triple = |x: Option<[f64; 3]>| x.map(|[x, y, z]| format!("({x:?}, {y:?}, {z:?})"));
-        let color = |x: Option<Rgb>| triple(x.map(Rgb::to_array));
+        let triple = |x: Option<[f64; 3]>| x.map(exact);
+        let color = |x: Option<Rgb>| x.map(exact_color);
         let name = |x: &Option<Arc<str>>| x.as_ref().map(|x| printable::name(x));
-        let own = self.others.iter().map(|(name, value)| (&**name, Some(value.to_string())));
+        let own = self.others.iter();
+        let own =
+            own.map(|(name, value)| (printable::name(name), printable::name(&value.to_string())));
         let all = [
-            ("kind", self.kind.as_ref().map(ToString::to_string)),
+            ("kind", self.kind.as_ref().map(|kind| printable::name(&kind.to_string()))),
             ("origin", triple(Some(self.origin.into()))),
             ("direction", triple(Some(self.direction.into()))),
             ("t", number(self.t)),
@@ -210,8 +213,8 @@ impl Ray {
             ("direct", color(self.direct)),
             ("radiance", color(self.radiance)),
         ];
-        let said = all.into_iter().chain(own).filter_map(|(name, value)| Some((name, value?)));
-        said.map(|(name, value)| (printable::name(name), printable::name(&value))).collect()
+        let said = all.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?)));
+        said.chain(own).collect()
     }
 
     /// Its numbers by name: those of its own fields, and its length, density and light, of which it says that they are common.
