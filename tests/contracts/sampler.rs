@@ -10,7 +10,6 @@ use statistics::significance::sidak;
 
 use super::sampler_draws::{
     a_draw_is_uniform_over_the_square, a_run_of_draws_uses_up_one_set, draws_are_pure,
-    neighbouring_pixels_are_not_correlated,
 };
 use super::{Holds, ensure};
 
@@ -23,7 +22,6 @@ pub fn trials() -> Vec<Trial> {
             ("points_are_spread_as_promised", points_are_spread_as_promised),
             ("places_in_a_stratum_are_uniform", places_in_a_stratum_are_uniform),
             ("a_draw_is_uniform_over_the_square", a_draw_is_uniform_over_the_square),
-            ("neighbouring_pixels_are_not_correlated", neighbouring_pixels_are_not_correlated),
             ("a_run_of_draws_uses_up_one_set", a_run_of_draws_uses_up_one_set),
             ("draws_are_pure_and_depend_on_every_part_of_the_key", draws_are_pure),
         ],

@@ -21,13 +21,11 @@
 //! Beyond the book: 4 in `draws`, 2 in `errors`, 3 in `flush`, 2 in `lamps`, 1 in `penumbra`, 5 in `polygon`, 2 in `sphere`, 7 in `tests/laws/ch18.toml`.
 
 mod draws;
-mod errors;
 mod far;
 mod flush;
 mod jittered;
 mod lamps;
 mod penumbra;
-mod polygon;
 mod sky;
 mod sphere;
 
@@ -49,4 +47,5 @@ laws_of_light!(
     a_disk_in_the_plane_of_the_ceiling_gives_its_closed_form,
     lamps_shadow_other_lamps,
     a_wall_hides_its_share_of_the_sky,
+    polygons_and_instances_of_rectangles_light_as_what_they_are_in_the_world,
 );

@@ -60,31 +60,3 @@ fn camera_and_scene_moved_together_show_the_same() {
         assert!(differ <= 8, "{name}: {differ} of 1600 pixels differ");
     }
 }
-
-/// Law: switching a light off removes its own shadow rays and changes no other ray. Oracle: the tree with all
-/// lights on, its rays to that light left out.
-#[test]
-fn switching_a_light_off_moves_no_other_ray() {
-    fn rays(tree: &RayTree, except: u32) -> Vec<(RayKind, Ray)> {
-        let other = |kind: &RayKind| !matches!(kind, RayKind::Shadow { light } if *light == except);
-        tree.rays().iter().map(|node| (node.kind, node.ray)).filter(|(k, _)| other(k)).collect()
-    }
-    for name in ["ch14/set", "ch16/coloured-shadows", "ch23/smooth-sphere", "ch28/glass-sphere"] {
-        let scene = small(name, 16, 16, 1);
-        let all = built(&scene);
-        for off in 0..scene.lights.len() {
-            let mut scene = scene.clone();
-            scene.lights[off].enabled = false;
-            let fewer = built(&scene);
-            for at in pixels(16, 16) {
-                let [with, without] = [&all, &fewer].map(|world| {
-                    let mut tree = RayTree::of(world);
-                    render::sample(world, at, 0, &mut tree);
-                    tree
-                });
-                let without: Vec<_> = without.rays().iter().map(|n| (n.kind, n.ray)).collect();
-                assert_eq!(rays(&with, off as u32), without, "{name} {at:?} light {off}");
-            }
-        }
-    }
-}

@@ -57,36 +57,7 @@ fn each_term_adds_what_the_sample_has_less_without_it() {
 }
 
 /// A mirror over a bright floor that mirrors a little itself.
-const MIRRORED_FLOOR: &str = r#"
-background = 0.5
-[image]
-width = 1
-height = 1
-[camera]
-eye = [0, 1, 0]
-look_at = [0, 1, -1]
-lens = { pinhole = { distance = 1 } }
-[tracer.whitted]
-max_depth = 4
-[[lights]]
-name = "sun"
-shadows = false
-source = { directional = { ls = 6, direction = [0, 1, 2] } }
-[[materials]]
-name = "mirror"
-recipe.reflective = { kr = 0.9 }
-[[materials]]
-name = "floor"
-recipe.reflective = { kr = 0.1, phong = { ka = 0, kd = 0.8, cd = 1, ks = 0, exponent = 1 } }
-[[objects]]
-name = "mirror"
-material = "mirror"
-shape.rectangle = { corner = [-1, 0, -2], a = [2, 0, 0], b = [0, 1.4, 1.4] }
-[[objects]]
-name = "floor"
-material = "floor"
-shape.plane = { point = [0, 0, 0], normal = [0, 1, 0] }
-"#;
+const MIRRORED_FLOOR: &str = include_str!("mirrored_floor.toml");
 
 /// Law: the path of the light takes the child that adds most, and ends where a ray's own light adds more, be it
 /// inside the tree; the text shows no ray beyond it. Oracle: every child compared; a floor that shines by its own
