@@ -13,7 +13,7 @@
 //! | exercise 9.6, roll angle | a roll of 360° changes no bit; 180° turns the picture upside down; 90° turns it clockwise by a quarter: what was at the right is at the bottom | `rolls_turn_the_picture` |
 //! | the orthographic camera (an exercise) | the orthographic camera looks along −w from `eye + x u + y v` | `parallel_rays_start_beside_the_eye` |
 //!
-//! Beyond the book: 3 in this file.
+//! Beyond the book: 1 in this file.
 
 use groundtruth::cameras::{Handedness, View};
 use testkit::properties::*;

@@ -14,7 +14,7 @@
 //! | fig. 16.11, shadows of three coloured lights | each light has its own shadow: with three coloured lights, the regions in the shadow of one show the other two (cyan, magenta, yellow), and all these regions occur | `three_coloured_lights_cast_complementary_shadows` |
 //! | shadow switches of lights, objects and materials (exercises) | a shadow needs the light's switch, the object's and the material's; those of the receiver do not matter | `a_shadow_needs_the_switches_of_light_object_and_material` |
 //!
-//! Beyond the book: 1 in this file, 8 in `media`, 3 in `segments`, 3 in `tests/laws/ch16.toml`.
+//! Beyond the book: 3 in `media`, 3 in `segments`, 7 in `tests/laws/ch16.toml`.
 
 mod acne;
 mod media;

@@ -12,7 +12,7 @@
 //! |  | highlight and reflection each have their own exponent: neither changes the other | `highlight_and_reflection_have_exponents_of_their_own` |
 //! | the material GlossyReflector and the tracers | a glossy hit casts one ray and draws one pair of numbers; ray casting neither | `a_glossy_hit_costs_one_ray_and_one_draw` |
 //!
-//! Beyond the book: 2 in this file, 1 in `tests/laws/ch25.toml`.
+//! Beyond the book: 1 in this file, 1 in `tests/laws/ch25.toml`.
 
 use groundtruth::lobes::GlossyReflection;
 use groundtruth::render::pixel;

@@ -18,7 +18,7 @@
 //! |  | without jitter the fake spherical light is the point light, and the jittered directional one the directional light | `jittered::without_jitter_there_is_one_point_and_one_direction` |
 //! | jittered directional lights | a jittered directional light is the mean of directional ones: unit directions moved by up to r along each axis and normalised again | `jittered::a_jittered_directional_light_is_the_mean_of_a_cube_of_directions` |
 //!
-//! Beyond the book: 4 in `draws`, 2 in `errors`, 3 in `flush`, 2 in `lamps`, 1 in `penumbra`, 5 in `polygon`, 2 in `sphere`, 7 in `tests/laws/ch18.toml`.
+//! Beyond the book: 3 in `draws`, 1 in `flush`, 1 in `lamps`, 2 in `sphere`, 8 in `tests/laws/ch18.toml`.
 
 mod draws;
 mod far;

