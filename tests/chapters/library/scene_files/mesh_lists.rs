@@ -42,7 +42,7 @@ fn lists_are_written_and_read_back_bit_for_bit() {
 /// exist gives its position. Oracle: the position at which the test put it.
 #[test]
 fn large_lists_are_read_and_their_errors_name_the_place() {
-    let mut large = sheet(160);
+    let mut large = sheet(224);
     let text = written(large.clone());
     assert!(text.len() > 1 << 22 && text.len() < 8 << 20, "{}", text.len());
     from_toml(&text, Path::new("scene.toml")).expect("valid");
