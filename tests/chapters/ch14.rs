@@ -13,7 +13,7 @@
 //! | coloured lights | green light on a red surface gives black; coloured ambient light is multiplied by the same colour `c_d`, times `k_a` | `green_light_on_a_red_surface_is_black` |
 //! | shading both sides of a surface | a two-sided surface is lit and seen on its back as on its front; a one-sided one shows its back in ambient light only | `only_two_sided_surfaces_are_lit_from_behind` |
 //!
-//! Beyond the book: 1 in this file, 3 in `sources`.
+//! Beyond the book: 2 in `sources`.
 
 mod sources;
 
@@ -172,22 +172,6 @@ proptest! {
         prop_assert_eq!(front, shading(false, 1.0));
         close!(front, shading(true, -1.0), 4.0 * U);
         prop_assert_eq!(shading(false, -1.0), 0.25 * Rgb::new(0.9, 0.6, 0.3));
-    }
-
-    /// Law: a light on the other side of a surface from the eye does not shine through it, even if
-    /// the surface is two-sided. Oracle: black.
-    #[test]
-    fn light_does_not_shine_through_a_surface(
-        (n, wi) in normal_and_direction_above(),
-        two_sided in any::<bool>(),
-        back in any::<bool>(),
-    ) {
-        let side = if back { -1.0 } else { 1.0 };
-        let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
-        scene.materials[0].two_sided = two_sided;
-        shine(&mut scene, sun(2.0, Rgb::WHITE, side * wi));
-        shine(&mut scene, lamp(2.0, Point::ORIGIN + side * wi, 0.0));
-        prop_assert_eq!(seen(&scene, -side * at_angle(n, 0.5, 2.0)), Rgb::BLACK);
     }
 
     /// Law: out-of-gamut colours are divided by their largest channel, or become red; others do not change.

@@ -35,7 +35,7 @@
 //! |  | a cut face is the square of side `size` in the plane y = 0 without the disk `x² + z² < radius²` about its centre, and its normal is (0, 1, 0) | `compounds::a_cut_face_is_a_square_without_a_disk` |
 //! | exercise 19.25, the flat-rimmed bowl | a flat-rimmed bowl is closed; its inside is between two spheres and below the plane of the rim, where the inner sphere opens at the given angle | `compounds::a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim` |
 //!
-//! Beyond the book: 3 in `algebraic`, 1 in `bounding`, 1 in `compound_parts`, 1 in `compounds`, 1 in `parts`, 3 in `polynomials`, 1 in `refused`, 3 in `shadow_parts`, 1 in `textbook`, 1 in `torus`.
+//! Beyond the book: 3 in `algebraic`, 1 in `bounding`, 1 in `compounds`, 1 in `parts`, 3 in `polynomials`, 1 in `refused`, 3 in `shadow_parts`, 1 in `textbook`, 1 in `torus`.
 
 mod algebraic;
 mod bounding;

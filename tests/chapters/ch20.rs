@@ -14,7 +14,7 @@
 //! | rotation about a line | a rotation about a line fixes the points of the line, keeps distances from it and turns by its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is the same | `a_turn_about_a_line_keeps_it` |
 //! | normals under transformations | a normal stays perpendicular to what moves with its surface: `(M⁻ᵀ n)·(M v) = n·v` | `covectors_pair_with_vectors_as_before` |
 //!
-//! Beyond the book: 1 in this file, 1 in `matrix`.
+//! Beyond the book: 1 in this file.
 
 mod matrix;
 

@@ -17,13 +17,12 @@
 //! | rendering times | a ray past small spheres passes as many cells as it crosses planes, so that steps and tests grow like `n^(1/3)`; the list tests all | `steps::a_grid_takes_as_many_steps_as_planes_are_crossed` |
 //! |  | in the book's scene, where the spheres fill the same share of the cube however many they are, steps grow more slowly than `n^0.3`, because rays end sooner, and few spheres are tested | `steps::steps_grow_slowly_in_the_books_scene` |
 //! | nested grids and grids of transformed objects | nested compounds, lattices, meshes, random spheres and instances of all of them have the same hits, leaves, surfaces and shadows by list, grid and tree | `everywhere::nested_grids_and_grids_of_instances_equal_the_list` |
-//! |  | grid and tree equal the list on instances of a mesh, and on instances of such instances | `equal::acceleration_equals_the_list_on_instances_of_meshes` |
 //! |  | in a lattice of lattices of 10¹⁶ balls the ball aimed at is found, with its leaf number and the distance to it | `lattices::a_ball_among_ten_to_the_sixteenth_is_found` |
 //! | the number of cells | a thousand objects in a cube have 20 or 21 cells on each axis, and any number of them about eight for each (invariant 3) | `cells::cells_are_as_many_as_the_book_says` |
 //! |  | a slab has fewer cells across it, in proportion | `cells::cells_are_cubes_in_slabs` |
 //! | traversal of a grid | a walk passes each cell that the ray crosses, none twice, each beside the one before, and onward; from outside, from inside, along walls and through corners | `cells::a_walk_passes_the_cells_that_the_ray_crosses` |
 //!
-//! Beyond the book: 3 in `cells`, 1 in `equal`, 2 in `lattices`, 2 in `stadium`, 1 in `steps`.
+//! Beyond the book: 2 in `cells`, 1 in `equal`, 1 in `lattices`, 2 in `stadium`.
 
 mod cells;
 mod equal;

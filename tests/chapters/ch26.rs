@@ -21,7 +21,7 @@
 //! |  | the three path tracers have one mean where light comes over mirrors, through glass and from glossy surfaces too: a light that only a single direction reaches counts in full, and one that could also have been sampled counts once | `paths::path_tracers_agree_over_mirrors_glass_and_gloss` |
 //! |  | sampling a small lamp is better than hitting it by chance: with equally many samples the variance of `global_trace` and `path` is far below that of `path_trace` | `paths::sampling_a_small_lamp_lowers_the_variance` |
 //!
-//! Beyond the book: 1 in `cornell`, 1 in `furnace`, 1 in `outline`, 1 in `paths`, 1 in `roulette`, 3 in `tests/laws/ch26.toml`.
+//! Beyond the book: 1 in `cornell`, 1 in `outline`, 1 in `paths`, 1 in `roulette`, 3 in `tests/laws/ch26.toml`.
 
 mod cornell;
 mod direct;

@@ -35,7 +35,7 @@
 //! |  | straight down through the water of the glass, light passes 1.2 of water and, in the base, .3 of glass, and the reflections are those of water, water to glass, and glass to air | `vessels::straight_down_a_glass_of_water_light_passes_three_boundaries` |
 //! |  | the meniscus of the fish bowl is tangent to the water's level and to the glass: x_c = .901388, y_c = .3, β = 18.408° | `vessels::the_meniscus_touches_level_and_glass_without_an_angle` |
 //!
-//! Beyond the book: 2 in `fresnel`, 3 in `recorded_optics`, 3 in `shadows`, 1 in `vessels`, 5 in `tests/laws/ch28.toml`.
+//! Beyond the book: 2 in `fresnel`, 3 in `recorded_optics`, 3 in `shadows`, 5 in `tests/laws/ch28.toml`.
 
 mod fresnel;
 mod pictures;

@@ -20,7 +20,7 @@
 //! | wood | the darkness of wood follows the book's steps, for any parameters, and its colour lies between its two colours | `wood::wood_grows_as_the_book_says` |
 //! |  | the defaults of wood are the book's: 2 octaves of lacunarity 4; 4 rings per unit, their unevenness 0.25 and their noise 0.02; wobbles of 0.15 of the trunk and 0.5 around it; grain of frequency 25, grainy and ringy 0.5 | `wood::the_defaults_are_the_books` |
 //!
-//! Beyond the book: 3 in `bump_cases`, 4 in `bumps`, 1 in `furnace`, 4 in `leaning`, 2 in `noise`, 1 in `sums`, 2 in `textures`.
+//! Beyond the book: 2 in `bump_cases`, 4 in `bumps`, 1 in `furnace`, 4 in `leaning`, 2 in `noise`, 1 in `sums`, 2 in `textures`.
 
 mod bump_cases;
 mod bumps;

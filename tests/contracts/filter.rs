@@ -17,7 +17,6 @@ pub fn trials() -> Vec<Trial> {
                 "places_are_as_dense_as_the_value_is_large",
                 places_are_as_dense_as_the_value_is_large,
             ),
-            ("weighted_places_have_the_filters_moments", weighted_places_have_the_moments),
             ("places_are_mirrored_about_the_centre", places_are_mirrored_about_the_centre),
         ],
     )
@@ -81,25 +80,6 @@ fn places_are_as_dense_as_the_value_is_large(kind: &Kind) -> Holds {
         let value = filter.value(x);
         // at the very ends and zeros the value is rounding
         ensure!(value.abs() < 1e-9 || (weight > 0.0) == (value > 0.0), "weight {weight} at {x}");
-    }
-    Ok(())
-}
-
-/// Law: `Σ weight · g(x)` over evenly spread numbers is `∫ filter · g`, for g = 1, x², x⁴ (the odd
-/// moments are 0). Oracle: quadrature.
-fn weighted_places_have_the_moments(kind: &Kind) -> Holds {
-    let filter = built(kind);
-    let r = filter.radius();
-    let n = 1 << 14;
-    for power in 0..5 {
-        let g = |x: f64| (0..power).map(|_| x / r).product::<f64>();
-        let drawn = |i: u32| {
-            let (place, weight) = filter.draw((f64::from(i) + 0.5) / f64::from(n));
-            weight * g(place - 0.5) / f64::from(n)
-        };
-        let mean: f64 = (0..n).map(drawn).sum();
-        let exact = integral(r, r, |x| filter.value(x) * g(x));
-        ensure!((mean - exact).abs() < QUADRATURE, "moment {power}: {mean}, exactly {exact}");
     }
     Ok(())
 }

@@ -10,7 +10,6 @@ use statistics::significance::sidak;
 
 use super::sampler_draws::{
     a_draw_is_uniform_over_the_square, a_run_of_draws_uses_up_one_set, draws_are_pure,
-    neighbouring_pixels_are_not_correlated,
 };
 use super::{Holds, ensure};
 
@@ -18,12 +17,10 @@ pub fn trials() -> Vec<Trial> {
     super::trials(
         Kind::ENTRIES,
         &[
-            ("points_lie_in_the_unit_square", points_lie_in_the_unit_square),
             ("a_set_has_as_many_points_as_it_says", a_set_has_as_many_points_as_it_says),
             ("points_are_spread_as_promised", points_are_spread_as_promised),
             ("places_in_a_stratum_are_uniform", places_in_a_stratum_are_uniform),
             ("a_draw_is_uniform_over_the_square", a_draw_is_uniform_over_the_square),
-            ("neighbouring_pixels_are_not_correlated", neighbouring_pixels_are_not_correlated),
             ("a_run_of_draws_uses_up_one_set", a_run_of_draws_uses_up_one_set),
             ("draws_are_pure_and_depend_on_every_part_of_the_key", draws_are_pure),
         ],
@@ -32,22 +29,6 @@ pub fn trials() -> Vec<Trial> {
 
 pub fn built(kind: &Kind) -> Arc<dyn Sampler> {
     kind.build(&mut ()).expect("specimens are valid")
-}
-
-const COUNTS: [u32; 8] = [1, 2, 3, 4, 9, 10, 25, 256];
-
-fn points_lie_in_the_unit_square(kind: &Kind) -> Holds {
-    let sampler = built(kind);
-    let mut random = Pcg32::new(5, 0);
-    for n in COUNTS {
-        for _ in 0..20 {
-            for point in sampler.fill(sampler.round_up(n), &mut random) {
-                let inside = point.iter().all(|x| (0.0..1.0).contains(x));
-                ensure!(inside, "{point:?} of {n}");
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Law: `round_up(n)` is at least `n` and is unchanged by rounding up again, and `fill` makes that many

@@ -40,38 +40,6 @@ pub fn a_draw_is_uniform_over_the_square(kind: &Kind) -> Holds {
     Ok(())
 }
 
-/// Law: neighbouring pixels' draws are not correlated, nor those of one pixel with those of the next
-/// run, in x or y. Oracle: the correlation of n independent pairs is normal with standard deviation
-/// `1/√n`.
-pub fn neighbouring_pixels_are_not_correlated(kind: &Kind) -> Holds {
-    const SIDE: u32 = 100;
-    // 9 specimens, 12 pairs: two-sided 1e-3 for all of them
-    const MAX_SIGMAS: f64 = 4.5;
-    let sets = SampleSets::new(&*built(kind), 16, 1);
-    let draw = |x, y, i| sets.draw(SetKey::new(3, [x, y], Purpose::Pixel), i);
-    for (dx, dy, later) in [(1, 0, 0), (0, 1, 0), (1, 1, 0), (2, 0, 0), (0, 0, 16), (16, 16, 0)] {
-        for axis in 0..2 {
-            let pixels = (0..SIDE * SIDE).map(|i| (i % SIDE, i / SIDE));
-            let pairs: Vec<(f64, f64)> = pixels
-                .map(|(x, y)| (draw(x, y, 0)[axis], draw(x + dx, y + dy, later)[axis]))
-                .collect();
-            let sigmas = correlation(&pairs) * f64::from(SIDE);
-            let apart = sigmas.abs() < MAX_SIGMAS;
-            ensure!(apart, "({dx}, {dy}), {later} later, axis {axis}: {sigmas} sigmas");
-        }
-    }
-    Ok(())
-}
-
-fn correlation(pairs: &[(f64, f64)]) -> f64 {
-    let n = pairs.len() as f64;
-    let mean = |of: fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / n;
-    let (a, b) = (mean(|p| p.0), mean(|p| p.1));
-    let sum =
-        |of: &dyn Fn(f64, f64) -> f64| pairs.iter().map(|p| of(p.0 - a, p.1 - b)).sum::<f64>();
-    sum(&|x, y| x * y) / (sum(&|x, _| x * x) * sum(&|_, y| y * y)).sqrt()
-}
-
 /// Law: each run of `per_set` draws returns every point of one set exactly once, and the next run
 /// those of another set; if draws are shifted, all by the same vector. Oracle: the sets filled here
 /// with the same generator.

@@ -20,7 +20,6 @@ pub fn trials() -> Vec<Trial> {
             ("shadow_hits_agree_with_hits", shadow_hits_agree_with_hits),
             ("roots_are_the_hits_in_order", roots_are_the_hits_in_order),
             ("sides_alternate_along_a_line", sides_alternate_along_a_line),
-            ("moving_the_origin_along_the_ray_moves_t", moving_the_origin_moves_t),
         ],
     );
     trials.extend(shape_exact::trials());
@@ -183,23 +182,4 @@ fn sides_alternate_along_a_line(kind: &Kind) -> Holds {
         None => Ok(()),
         Some((ray, i)) => Err(format!("{ray:?}: root {i} is on the wrong side")),
     }
-}
-
-/// Law: a ray whose origin is moved along it hits the same point, at a `t` that is smaller by the same
-/// amount.
-fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
-    let shape = built(kind);
-    let mut rays = Rays::new(&*shape);
-    for Met { ray, at, surface } in rays.smooth_hits(&*shape, RAYS) {
-        for share in [0.5, -3.0] {
-            let moved = Ray::new(ray.at(share * at.t), ray.direction);
-            let span = Span { min: -0.75 * at.t, max: f64::INFINITY };
-            let expected = at.t - share * at.t;
-            let t = nearest_to(expected, &shape.roots(&moved, span));
-            let reach = rays.size() + (1.0 + share.abs()) * (at.t * ray.direction).length();
-            let off = t.map(|t| (t - expected).abs() * surface.normal.dot(ray.direction).abs());
-            ensure!(off.is_some_and(|off| off <= ROUNDING * reach), "{ray:?}: off by {off:?}");
-        }
-    }
-    Ok(())
 }

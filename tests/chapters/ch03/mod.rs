@@ -22,7 +22,7 @@
 //! |  | a channel becomes the nearest of 256 bytes, where the book truncates: 254.9 would be 254 | `film::bytes_are_the_nearest` |
 //! | question 3.1, rays that touch a sphere | a tangent touches at the distance `√(\|o − c\|² − r²)` | `hits::a_tangent_touches_where_the_right_triangle_says` |
 //!
-//! Beyond the book: 2 in `film`, 2 in `picture`.
+//! Beyond the book: 1 in `film`, 2 in `picture`.
 
 mod film;
 mod hits;

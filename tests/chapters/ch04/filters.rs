@@ -1,6 +1,5 @@
 //! Filters on whole pictures: a pixel also uses samples outside its own square.
 
-use groundtruth::background::Background;
 use groundtruth::filters::{Box, Filter, Gaussian, Kind, Mitchell, Tent};
 use groundtruth::math::erf;
 use std::f64::consts::SQRT_2;
@@ -177,28 +176,6 @@ fn the_box_is_the_default() {
     assert!(!text.contains("filter"), "{text}");
     scene.image.filter = Kind::default();
     assert_eq!(bits(render::render(&built(&scene)).get([0, 0])), bits(with.get([0, 0])));
-}
-
-/// Law: a sample is its filter's weight times the radiance along its ray, whether rays are recorded or not.
-/// Oracle: the recorded tree.
-#[test]
-fn a_sample_is_weighed_by_its_filter() {
-    let mut scene = edge(0.2, Mitchell { b: 0.0, c: 0.5 }.into(), 64);
-    scene.background = Background::from(Rgb::new(0.2, 0.4, 0.6));
-    let world = built(&scene);
-    let mut negative = 0;
-    for index in 0..64 {
-        let drawn = render::camera_sample(&world, [0, 0], index).expect("no gap");
-        negative += u32::from(drawn.weight < 0.0);
-        let mut tree = RayTree::of(&world);
-        let sample = render::sample(&world, [0, 0], index, &mut tree);
-        let arriving = tree.rays()[0].radiance;
-        assert_eq!(bits(sample), bits(drawn.weight * arriving));
-        assert_eq!(bits(sample), bits(render::sample(&world, [0, 0], index, &mut ())));
-        let inside = drawn.film[0] < 0.2;
-        assert_eq!(arriving, if inside { Rgb::WHITE } else { Rgb::new(0.2, 0.4, 0.6) });
-    }
-    assert!((1..32).contains(&negative), "{negative} of 64 samples count negatively");
 }
 
 /// Law: a filter's radius is in units of pixels: at twice the resolution, samples lie half as far from their

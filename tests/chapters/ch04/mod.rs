@@ -15,7 +15,7 @@
 //! | antialiasing fine detail | jittered pixels are nearer to the truth than random ones with equally many samples, where the phase changes by less than π across a cell | `sinusoid::jittered_pixels_are_nearer_to_the_truth_than_random_ones` |
 //! | filtering: the box over the pixel | leaving the filter out is the box over the pixel, which uses the pixel's samples as they are: bit for bit, and in a scene file nothing is written | `filters::the_box_is_the_default` |
 //!
-//! Beyond the book: 9 in `filters`, 1 in `pixel`, 1 in `sinusoid`.
+//! Beyond the book: 8 in `filters`, 1 in `pixel`, 1 in `sinusoid`.
 
 mod filters;
 mod pixel;

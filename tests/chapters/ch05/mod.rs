@@ -18,7 +18,7 @@
 //! |  | Hammersley's set of `N = 2^m ≥ 4` points has the star discrepancy `(m/3 + 13/9 − (−1)^m 4/(9 N)) / N`; 0.0161 for 256 | `discrepancy::hammersleys_star_discrepancy_is_the_theorems` |
 //! | samplers of the view plane | as in the book, one sample is regular unless said otherwise, and more are multi-jittered | `draws::the_default_is_regular_for_one_and_multi_jittered_for_more` |
 //!
-//! Beyond the book: 1 in `convergence`, 1 in `discrepancy`, 2 in `path_keys`, 2 in `patterns`, 7 in `sequences`.
+//! Beyond the book: 1 in `convergence`, 1 in `discrepancy`, 2 in `path_keys`, 2 in `patterns`, 6 in `sequences`.
 
 mod convergence;
 mod discrepancy;

@@ -158,15 +158,6 @@ fn the_sequence_has_the_published_points() {
     }
 }
 
-/// Law: the direction numbers of the second dimension are those of the published table. Oracle:
-/// its first entries.
-#[test]
-fn the_direction_numbers_are_the_published_ones() {
-    for (k, m) in [1, 3, 5, 15, 17, 51, 85, 255, 257, 771].into_iter().enumerate() {
-        assert_eq!(sobol(1 << k, 32)[1], m << (31 - k), "{k}");
-    }
-}
-
 /// Law: the permutations are the paper's. Oracle: `permute_kensler` of Mitsuba 3.9.1.
 #[test]
 fn permutations_are_those_of_the_paper() {

@@ -16,7 +16,7 @@
 //! |  | with a small field of view fisheye and panoramas are pinhole cameras of the distance `width/(2 λ_max)`: the difference falls with the cube of the angle | `directions::a_small_field_of_view_is_a_pinholes` |
 //! |  | the solid angle per film area is proportional to `sin ψ/ψ` for the fisheye, `cos ψ` for the spherical and `cos³ψ` for the cylindrical panorama; in the centre it is the product of the half angles | `directions::film_covers_the_solid_angle_of_its_projection` |
 //!
-//! Beyond the book: 1 in `fisheye`, 3 in `panoramas`.
+//! Beyond the book: 1 in `fisheye`, 2 in `panoramas`.
 
 mod directions;
 mod fisheye;

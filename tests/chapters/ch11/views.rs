@@ -36,9 +36,3 @@ pub fn looking(view: &View, [xn, yn]: [f64; 2]) -> Option<Vector> {
     let film = [0.5 * xn * FILM.width, 0.5 * yn * FILM.height];
     Some(view.eyes()[0].ray(film, [0.0; 2])?.direction)
 }
-
-/// Where a point is seen, in normalised coordinates.
-pub fn seen(view: &View, [x, y, z]: [f64; 3]) -> Option<[f64; 2]> {
-    let [x, y] = view.eyes()[0].project(Point::new(x, y, z))?;
-    Some([2.0 * x / FILM.width, 2.0 * y / FILM.height])
-}

@@ -133,22 +133,3 @@ proptest! {
         close!(there, power(ratio, -k) * here, tolerance, "1/{ratio}^{k}");
     }
 }
-
-/// Law: a spot whose inner angle is beyond its outer one is refused, by however little; equal ones are not. Oracle: the
-/// order of the two numbers.
-#[test]
-fn an_inner_angle_is_not_beyond_the_outer() {
-    for outer in [1e-9, 20.0, 90.0, 180.0_f64] {
-        for (inner, fits) in
-            [(outer.next_down(), true), (outer, true), (outer.next_up(), false), (181.0, false)]
-        {
-            let source = spot(Vector::Y, 2.0, 0.0, 0.0, inner, outer);
-            let built = World::build(&plane(Normal::Y, source)).map(|_| ());
-            assert_eq!(
-                built.is_ok(),
-                fits,
-                "inner {inner:?}, outer {outer:?}: found {built:?}, expected it to fit: {fits}"
-            );
-        }
-    }
-}

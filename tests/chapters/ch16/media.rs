@@ -1,7 +1,7 @@
 //! Shadow rays through absorbing media, and light without shadows.
 
 use explain::RecordedRay;
-use groundtruth::lights::{AmbientOccluder, Kind, PointLight as Lamp};
+use groundtruth::lights::{Kind, PointLight as Lamp};
 use groundtruth::trace::TermSource;
 use testkit::properties::*;
 
@@ -26,15 +26,6 @@ fn white() -> Matte {
     matte(0.5, 1.0, Rgb::WHITE)
 }
 
-/// A floor under water; the camera is under water too.
-fn sea(source: impl Into<Kind>) -> Scene {
-    let mut scene = stage(Rgb::BLACK);
-    scene.camera.medium = water();
-    put(&mut scene, ground(0.0), white());
-    shine(&mut scene, source);
-    scene
-}
-
 fn shadows(tree: &RayTree) -> Vec<&RecordedRay> {
     tree.rays().into_iter().filter(|node| matches!(node.kind, RayKind::Shadow { .. })).collect()
 }
@@ -42,93 +33,6 @@ fn shadows(tree: &RayTree) -> Vec<&RecordedRay> {
 /// The length of a shadow ray lacks its offsets from the surface and from the light, of some error bounds
 /// each.
 const OFFSETS: f64 = 4096.0 * U;
-
-proptest! {
-    #![proptest_config(laws())]
-
-    /// Law: in an absorbing medium light is dimmed twice: `exp(−σ d)` from the lamp to the surface
-    /// and again to the eye; the shadow ray records the first. Oracle: the closed form, with the
-    /// distances of the three points (Beer).
-    #[test]
-    fn a_lamp_under_water_is_dimmed_on_both_ways(
-        (x, y, z) in (-3.0..3.0_f64, 0.2..5.0_f64, -3.0..3.0_f64),
-        (ex, ey, ez) in (-3.0..3.0_f64, 0.2..5.0_f64, -3.0..3.0_f64),
-    ) {
-        let (location, eye) = (Point::new(x, y, z), Point::new(ex, ey, ez));
-        let scene = sea(Lamp { ls: 2.0, color: Rgb::WHITE, location, attenuation: 0.0 });
-        let tree = recorded(&built(&scene), eye, Point::ORIGIN - eye);
-        let [to_lamp, to_eye] = [location, eye].map(|p| p.distance(Point::ORIGIN));
-        let [shadow] = shadows(&tree)[..] else { panic!("one light, one shadow ray: {tree:?}") };
-        let expected = through(to_lamp);
-        close!(shadow.transmittance, expected, OFFSETS);
-        let expected = (2.0 * FRAC_1_PI * y / to_lamp) * (through(to_lamp) * through(to_eye));
-        let seen = tree.root().radiance;
-        close!(seen, expected, 2.0 * OFFSETS);
-    }
-
-    /// Law: of light from infinitely far away an absorbing medium transmits nothing, except in channels that
-    /// it does not absorb. Oracle: the limits 0 and 1.
-    #[test]
-    fn no_light_comes_through_infinitely_much_water(
-        (ex, ey) in (-3.0..3.0_f64, 0.2..5.0_f64),
-        (n, up) in normal_and_direction_above(),
-    ) {
-        prop_assume!(up.y().abs() > 0.01);
-        let direction = up.y().signum() * up;
-        let scene = sea(Directional { ls: 2.0, color: Rgb::WHITE, direction });
-        let eye = Point::new(ex, ey, n.x());
-        let tree = recorded(&built(&scene), eye, Point::ORIGIN - eye);
-        let [shadow] = shadows(&tree)[..] else { panic!("one light, one shadow ray: {tree:?}") };
-        prop_assert_eq!(shadow.transmittance, Rgb::new(0.0, 0.0, 1.0));
-        let expected = Rgb::new(0.0, 0.0, 2.0 * FRAC_1_PI * direction.y());
-        let seen = tree.root().radiance;
-        close!(seen, expected, 16.0 * U / direction.y());
-    }
-
-    /// Law: ambient light, plain or occluded, has no path length to the surface and is not dimmed there. Only
-    /// the path to the eye dims it. Oracle: the product `k_a l_s exp(−σ d)`.
-    #[test]
-    fn ambient_light_is_dimmed_on_the_way_to_the_eye_only(
-        (ex, ey, ez) in (-3.0..3.0_f64, 0.2..5.0_f64, -3.0..3.0_f64),
-    ) {
-        let (ls, color, eye) = (1.5, Rgb::new(1.0, 0.5, 0.75), Point::new(ex, ey, ez));
-        let occluder = AmbientOccluder {
-            ls,
-            color,
-            min_amount: 0.0,
-            occluded_color: None,
-            max_distance: None,
-        };
-        let within = AmbientOccluder { max_distance: Some(4.0), ..occluder.clone() };
-        for source in [Kind::from(Ambient { ls, color }), occluder.into(), within.into()] {
-            let tree = recorded(&built(&sea(source)), eye, Point::ORIGIN - eye);
-            for shadow in shadows(&tree) {
-                prop_assert_eq!(shadow.transmittance, Rgb::WHITE);
-            }
-            let expected = (0.5 * ls) * (color * through(eye.distance(Point::ORIGIN)));
-            let seen = tree.root().radiance;
-            close!(seen, expected, 64.0 * U);
-        }
-    }
-
-    /// Law: without shadows no ray is cast and no object blocks the light, but the medium dims it all the
-    /// same. Oracle: clear air, times `exp(−σ d)` of both paths.
-    #[test]
-    fn without_shadows_the_medium_dims_a_lamp_all_the_same(
-        (x, y, z) in (-3.0..3.0_f64, 0.2..5.0_f64, -3.0..3.0_f64),
-    ) {
-        let (location, eye) = (Point::new(x, y, z), Point::new(1.0, 2.0, 2.0));
-        let mut scene = sea(Lamp { ls: 2.0, color: Rgb::WHITE, location, attenuation: 0.0 });
-        scene.lights[0].shadows = false;
-        let tree = recorded(&built(&scene), eye, Point::ORIGIN - eye);
-        prop_assert_eq!(shadows(&tree).len(), 0);
-        scene.camera.medium = Medium::default();
-        let clear = look(&built(&scene), eye, Point::ORIGIN - eye);
-        let expected = through(3.0) * (through(location.distance(Point::ORIGIN)) * clear);
-        let seen = tree.root().radiance;
-        close!(seen, expected, 64.0 * U);
-    }
-}
 
 /// Law: for every kind of light, a shadow ray records the transmittance of its own length: 0 from infinity;
 /// that of ambient light is 1. Oracle: `exp(−σ |ray|)` for a segment, which the ray spans from t = 0 to 1;
@@ -195,67 +99,6 @@ fn chord(from: Point, direction: Vector) -> f64 {
 
 proptest! {
     #![proptest_config(laws())]
-
-    /// Law: light without shadows is absorbed on its way inside the body of the hit only, wherever it stands:
-    /// from infinity, outside, inside, beyond or in a second absorbing body, past a bubble, through an
-    /// opaque wall. It takes one ray, which a hit in clear air does not. Oracle: `exp(−σ d)`, d the chord
-    /// of the sphere by the quadratic, less that of the bubble.
-    #[test]
-    fn light_without_shadows_is_absorbed_inside_the_body_only(
-        (n, up) in normal_and_direction_above(),
-        distance in 0.01..8.0_f64,
-        is_sun in any::<bool>(),
-        has_wall in any::<bool>(),
-        has_second in any::<bool>(),
-        bubble in prop_oneof![Just(0.0), 0.05..0.2_f64],
-    ) {
-        let way = Vector::from(n) + up;
-        let way = way.unit().expect("n and up are less than 90° apart");
-        let mut scene = stage(Rgb::BLACK);
-        scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
-        put(&mut scene, sphere(Point::ORIGIN, 1.0), Dielectric { inside: water(), ..Dielectric::default() });
-        put(&mut scene, sphere(Point::ORIGIN, 0.25), white());
-        let start = Point::ORIGIN + 0.25 * n;
-        let inside = chord(start, way);
-        if has_wall {
-            let (min, max) = (Point::new(-9.0, -9.0, -9.0), Point::new(9.0, 9.0, 9.0));
-            put(&mut scene, boxed(min, max), white());
-            put(&mut scene, sphere(start + 0.1 * way, 0.02), white());
-        }
-        if has_second {
-            let center = start + (inside + 2.0) * way;
-            let second = Medium { eta: 1.0, absorption: 3.0 * SIGMA };
-            let glass = Dielectric { inside: second, ..Dielectric::default() };
-            put(&mut scene, sphere(center, 1.5), glass);
-        }
-        if bubble > 0.0 {
-            let air = Dielectric { inside: Medium::default(), outside: water(), ..Dielectric::default() };
-            let center = start + 0.3 * way;
-            put(&mut scene, sphere(center, bubble), air);
-        }
-        let (ls, color) = (2.0, Rgb::WHITE);
-        match is_sun {
-            true => shine(&mut scene, Directional { ls, color, direction: way }),
-            false => {
-                let location = start + distance * way;
-                shine(&mut scene, Lamp { ls, color, location, attenuation: 0.0 })
-            }
-        };
-        scene.lights[0].shadows = false;
-        let length = if is_sun { inside } else { inside.min(distance) };
-        let in_bubble = if is_sun { 2.0 * bubble } else { (distance - 0.3 + bubble).clamp(0.0, 2.0 * bubble) };
-        let eye = Point::ORIGIN + 0.27 * n;
-        scene.camera.medium = water();
-        let seen = recorded(&built(&scene), eye, -Vector::from(n));
-        let [ray] = shadows(&seen)[..] else { panic!("one ray to the light: {seen:?}") };
-        let expected = through(length - in_bubble);
-        prop_assert!(close(ray.transmittance, expected, 1e-12), "{:?}, not {expected:?}", ray.transmittance);
-        prop_assert_eq!(seen.root().folded(), seen.root().radiance);
-
-        scene.camera.medium = Medium::default();
-        let clear = counted(&built(&scene), eye, -Vector::from(n));
-        prop_assert_eq!(clear.shadow, 0);
-    }
 
     /// Law: light without shadows that leaves its own body is absorbed by the sea outside, less where it passes a body
     /// that absorbs less, and no more where it passes one that absorbs more; after each body the sea goes on. Oracle:

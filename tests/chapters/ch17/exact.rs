@@ -125,29 +125,6 @@ proptest! {
         let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
         prop_assert_eq!(each(&scene, eye, target - eye), each(&plain(&scene), eye, target - eye));
     }
-
-    /// Law: without shadows the occluder is plain ambient light, and casts no ray; and an object that casts
-    /// no shadow blocks none. Oracle: that light.
-    #[test]
-    fn objects_that_cast_no_shadow_do_not_occlude(from in unit(), target in point(1.0)) {
-        let mut scene = heap();
-        let eye = Point::ORIGIN + 9.0 * from + 10.0 * Vector::Y;
-        let expected = each(&plain(&scene), eye, target - eye);
-        scene.lights[0].shadows = false;
-        prop_assert_eq!(&each(&scene, eye, target - eye), &expected);
-        prop_assert_eq!(counted(&built(&scene), eye, target - eye).shadow, 0);
-        scene.lights[0].shadows = true;
-        scene.objects.iter_mut().take(3).for_each(|object| object.casts_shadows = false);
-        scene.materials[3].casts_shadows = false;
-        let seen = each(&scene, eye, target - eye);
-        // except for directions below the surface of the smooth mesh
-        let world = built(&scene);
-        let tree = recorded(&world, eye, target - eye);
-        let smooth = &world.names.objects[3];
-        if tree.root().hit.as_ref().is_none_or(|hit| hit.object != *smooth) {
-            prop_assert_eq!(seen, expected);
-        }
-    }
 }
 
 /// Law: a surface that reflects no ambient light draws nothing and casts no ray for the occluder;

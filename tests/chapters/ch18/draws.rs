@@ -69,29 +69,6 @@ fn switching_a_light_or_its_shadows_changes_no_other_draw() {
     }
 }
 
-/// Law: a recorder changes no draw. Oracle: no recorder; and the counter of draws: one pair for each light
-/// that needs one or two numbers, two pairs for three numbers.
-#[test]
-fn a_recorder_changes_no_draw() {
-    let scene = all_lights();
-    let world = built(&scene);
-    let eye = Point::new(1.0, 1.8, 4.0);
-    for (i, tree) in trees(&world).iter().enumerate() {
-        let i = i as u32;
-        let draws = world.draws([i, 7], i % world.samples_per_pixel());
-        let silent = radiance(&world, &tree.root().ray, draws, &mut ());
-        let mut counts = RayCounts::default();
-        let counted = radiance(&world, &tree.root().ray, draws, &mut counts);
-        assert_eq!((silent, counted), (tree.root().radiance, silent), "sample {i}");
-        assert_eq!(tree.root().ray.origin, eye);
-        let hit = tree.root().hit.as_ref();
-        let hit = hit.is_some_and(|hit| world.names.objects[..2].contains(&hit.object));
-        // two lamps, occluder and sky; both jittered lights
-        let expected = if hit { 4 + 2 * 2 } else { 0 };
-        assert_eq!(counts.draws, expected, "sample {i}");
-    }
-}
-
 /// Where the shadow rays of a pixel's samples end on a lamp, a rectangle with the sides X and Z around x = z
 /// = 0.
 fn ends(world: &World, pixel: [u32; 2], lamp: u32) -> Vec<[f64; 2]> {

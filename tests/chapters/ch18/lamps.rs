@@ -1,6 +1,5 @@
 //! Lamps as objects: what they shadow, which side emits, and their switches.
 
-use groundtruth::lights::Kind;
 use groundtruth::trace::Outcome;
 
 use super::*;
@@ -101,38 +100,5 @@ fn a_lamp_that_is_off_is_dark_and_one_without_light_is_only_seen() {
         let unnamed = built(&scene);
         assert_eq!(look(&unnamed, below, spot - below), LS * CE, "{name} without light, seen");
         assert_eq!(view(&unnamed, below, -Vector::Y), Rgb::BLACK, "{name} without light, lighting");
-    }
-}
-
-/// Law: objects block every kind of light, except lights that cast no shadows: under a hood the floor is
-/// black, except for ambient light, of which the occluder leaves its least amount. Oracle: black; and the
-/// floor without the hood, bit for bit.
-#[test]
-fn a_hood_blocks_light_of_every_kind() {
-    let (spot, eye) = (Point::new(1.0, 0.0, 0.9), Point::new(1.02, 0.05, 0.93));
-    let mut scene = all_lights();
-    let count = scene.lights.len();
-    let hood = put(&mut scene, ball(spot, 0.2), white());
-    for only in 0..count {
-        let mut hooded = scene.clone();
-        hooded.lights.iter_mut().enumerate().for_each(|(i, light)| light.enabled = i == only);
-        let mut open = hooded.clone();
-        open.objects[hood].enabled = false;
-        let free = view(&built(&open), eye, spot - eye);
-        assert!(!free.is_black(), "light {only} lights the floor");
-        let found = view(&built(&hooded), eye, spot - eye);
-        let reflectance = 0.4 * Rgb::new(0.9, 0.6, 0.3);
-        let expected = match &hooded.lights[only].source {
-            Kind::Ambient(_) => free,
-            Kind::AmbientOccluder(light) => {
-                (light.min_amount * light.ls) * (reflectance * light.color)
-            }
-            _ => Rgb::BLACK,
-        };
-        close!(found, expected, 16.0 * U, "light {only}");
-        hooded.lights[only].shadows = false;
-        open.lights[only].shadows = false;
-        let [found, expected] = [hooded, open].map(|scene| view(&built(&scene), eye, spot - eye));
-        assert_eq!(found, expected, "light {only} without shadows");
     }
 }

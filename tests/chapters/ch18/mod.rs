@@ -18,16 +18,14 @@
 //! |  | without jitter the fake spherical light is the point light, and the jittered directional one the directional light | `jittered::without_jitter_there_is_one_point_and_one_direction` |
 //! | jittered directional lights | a jittered directional light is the mean of directional ones: unit directions moved by up to r along each axis and normalised again | `jittered::a_jittered_directional_light_is_the_mean_of_a_cube_of_directions` |
 //!
-//! Beyond the book: 4 in `draws`, 2 in `errors`, 3 in `flush`, 2 in `lamps`, 1 in `penumbra`, 5 in `polygon`, 2 in `sphere`, 7 in `tests/laws/ch18.toml`.
+//! Beyond the book: 3 in `draws`, 1 in `flush`, 1 in `lamps`, 2 in `sphere`, 8 in `tests/laws/ch18.toml`.
 
 mod draws;
-mod errors;
 mod far;
 mod flush;
 mod jittered;
 mod lamps;
 mod penumbra;
-mod polygon;
 mod sky;
 mod sphere;
 
@@ -49,4 +47,5 @@ laws_of_light!(
     a_disk_in_the_plane_of_the_ceiling_gives_its_closed_form,
     lamps_shadow_other_lamps,
     a_wall_hides_its_share_of_the_sky,
+    polygons_and_instances_of_rectangles_light_as_what_they_are_in_the_world,
 );

@@ -86,39 +86,3 @@ fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
         }
     }
 }
-
-/// Law: a ball between a spherical lamp and the floor: where the ball hides all of the lamp there is no
-/// light; outside the cone that touches both crosswise there is all of it. Oracle: the tangent cones of two
-/// spheres on one axis: apex behind the ball for the umbra, between the two for the penumbra.
-#[test]
-fn two_balls_have_an_umbra_and_a_penumbra() {
-    let (lamp, ball_at, big, small) = (10.0, 4.0, 1.0, 0.6);
-    let mut scene = floor(up());
-    hang(&mut scene, ball(Point::new(0.0, lamp, 0.0), big), Some(Sampling::SolidAngle));
-    put(&mut scene, ball(Point::new(0.0, ball_at, 0.0), small), white());
-    let mut free = scene.clone();
-    free.lights[0].shadows = false;
-    let [world, free] = [scene, free].map(|scene| built(&with_samples(scene, SAMPLES)));
-    let apart = lamp - ball_at;
-    // sines of the half angles; heights of the apices
-    let (outer, inner) = ((big + small) / apart, (big - small) / apart);
-    let crossing = ball_at + small / outer;
-    let behind = ball_at - small / inner;
-    let tan = |sine: f64| sine / (1.0 - sine * sine).sqrt();
-    let penumbra = crossing * tan(outer);
-    assert!(behind < 0.0, "the umbra reaches the floor");
-    let umbra = -behind * tan(inner);
-    for i in 0..60 {
-        let x = 0.05 * f64::from(i);
-        let (share, seen) = unblocked(&world, x);
-        let what =
-            format!("x = {x}: {share} of the samples arrive; umbra {umbra}, penumbra {penumbra}");
-        if x < umbra - 1e-6 {
-            assert_eq!(share, 0.0, "{what}");
-        } else if x > penumbra + 1e-6 {
-            assert!(share == 1.0 && seen == unblocked(&free, x).1, "{what}");
-        } else if (umbra + 0.1..penumbra - 0.1).contains(&x) {
-            assert!(share > 0.0 && share < 1.0, "{what}");
-        }
-    }
-}

@@ -89,7 +89,8 @@ fn any(draw: &mut Draw) -> Vec<f64> {
 fn every_root_of_an_interval_is_found() {
     let mut draw = Draw::new(1941);
     let (mut judged, mut roots, mut worst) = (0, 0, 0.0_f64);
-    for i in 0..1_000 {
+    let cases = as_many(300, 10_000);
+    for i in 0..cases {
         let c = any(&mut draw);
         let low = -draw.decades(-2.0, 2.0);
         let high = if draw.coin() { -low } else { low + draw.decades(-2.0, 2.0) };
@@ -111,7 +112,7 @@ fn every_root_of_an_interval_is_found() {
         }
     }
     println!("worst residual {worst:.2} u, {roots} roots");
-    assert!(judged > 800 && roots > 600, "{judged} judged, {roots} roots");
+    assert!(10 * judged > 8 * cases && 10 * roots > 6 * cases, "{judged} judged, {roots} roots");
 }
 
 /// Law: a leading coefficient that is zero or tiny does not change the roots in a bounded interval.

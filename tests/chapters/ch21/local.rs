@@ -83,7 +83,7 @@ fn a_nested_instance_undoes_its_own_map_alone() {
 }
 
 /// Law: a million copies share one mesh. Oracle: the reference count of the mesh; and the budget of
-/// triangles, which 10⁴ separate meshes of 9800 triangles would exceed.
+/// triangles, which 10³ separate meshes of 9800 triangles would exceed.
 /// Book: 21.4, instances.
 #[test]
 fn a_million_copies_hold_one_mesh() {
@@ -99,7 +99,7 @@ fn a_million_copies_hold_one_mesh() {
 
     let transform = |i: u32| vec![Step::Translate(f64::from(i) * Vector::X)];
     let same =
-        (0..10_000).map(|i| Instance::new(TessellatedSphere::new(100, 50, false), transform(i)));
+        (0..1000).map(|i| Instance::new(TessellatedSphere::new(100, 50, false), transform(i)));
     Kind::from(Compound::of(same)).build(&mut Context::default()).expect("the parts are alike");
     let other = |i: u32| TessellatedSphere {
         radius: f64::from(i + 1),

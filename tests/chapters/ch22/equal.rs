@@ -76,34 +76,6 @@ fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
     agree("boxes", objects, along.into_iter(), 4);
 }
 
-/// Law: grid and tree equal the list on instances of a mesh, and on instances of such instances. Oracle:
-/// the list.
-/// Book: nested grids and grids of transformed objects.
-#[test]
-fn acceleration_equals_the_list_on_instances_of_meshes() {
-    let rays = as_many(6_000, 1_000_000);
-    let mut draw = Draw::new(2250);
-    let sphere = TessellatedSphere { radius: 0.3, ..TessellatedSphere::new(12, 8, false) };
-    let mesh: Arc<dyn Shape> = Arc::new(sphere.mesh().accelerated(Method::Bvh));
-    let mut objects = Vec::new();
-    for i in 0..60 {
-        let scale = |draw: &mut Draw| draw.sign() * draw.decades(-0.7, 0.5);
-        let transform = vec![
-            Step::Scale(Vector::new(scale(&mut draw), scale(&mut draw), scale(&mut draw))),
-            Step::RotateX(draw.between(0.0, 360.0)),
-            Step::RotateZ(draw.pick(&[0.0, 90.0, 33.0])),
-            Step::Translate(draw.vector(1.5)),
-        ];
-        let of = Kind::Custom(Custom(Arc::clone(&mesh)));
-        let mut kind = Kind::from(Instance::new(of, transform.clone()));
-        if i % 3 == 0 {
-            kind = Instance::new(kind, transform).into();
-        }
-        objects.push(shape_of(kind));
-    }
-    agree("instances", objects, some_rays(2251, rays, 1.5), 10);
-}
-
 /// Law: a tree over 10⁵ objects is the same each time, on one thread and on two. Oracle: itself,
 /// written out node by node.
 #[test]

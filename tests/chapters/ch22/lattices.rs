@@ -33,36 +33,6 @@ fn same(a: &dyn Shape, b: &dyn Shape, seed: u64, rays: usize, extent: f64) -> us
     hits
 }
 
-/// Law: a lattice is the compound of its copies, the first index running fastest: the same `t`,
-/// leaf, surface and shadows, of boxes that touch (ties), of overlapping balls, of two-part shapes.
-/// Oracle: a compound of moved instances, bit for bit.
-#[test]
-fn a_lattice_is_a_compound_of_moved_copies() {
-    let cube = Cuboid { min: Point::new(-0.5, -0.5, -0.5), max: Point::new(0.5, 0.5, 0.5) };
-    let pair = Compound::of([ball(0.25), cube.clone().into()]);
-    for (of, counts, spacing) in [
-        (Kind::from(cube), [3, 2, 2], Vector::new(1.0, 1.0, 1.0)),
-        (ball(0.5), [4, 1, 3], Vector::new(0.3, 0.0, -0.7)),
-        (ball(0.5), [1, 5, 1], Vector::new(9.0, -0.25, 9.0)),
-        (pair.into(), [2, 3, 4], Vector::new(0.75, 1.1, -1.3)),
-        (ball(0.5), [2, 2, 1], Vector::ZERO),
-    ] {
-        let mut copies = Vec::new();
-        for (k, j, i) in (0..counts[2])
-            .flat_map(|k| (0..counts[1]).map(move |j| (k, j)))
-            .flat_map(|(k, j)| (0..counts[0]).map(move |i| (k, j, i)))
-        {
-            let [i, j, k] = [i, j, k].map(f64::from);
-            let by = Vector::new(i * spacing.x(), j * spacing.y(), k * spacing.z());
-            copies.push(Instance::new(of.clone(), vec![Step::Translate(by)]));
-        }
-        let (a, b) = (shape_of(lattice(of, counts, spacing)), shape_of(Compound::of(copies)));
-        assert_eq!((a.leaves(), a.bounds()), (b.leaves(), b.bounds()));
-        let hits = same(&*a, &*b, 2280, 3_000, 2.0);
-        assert!(hits > 100, "{counts:?}: only {hits} hits");
-    }
-}
-
 /// Law: in a lattice of lattices of 10¹⁶ balls the ball aimed at is found, with its leaf number and the
 /// distance to it. Oracle: the leaf number, computed here from its digits; the distance to a single
 /// sphere.

@@ -4,7 +4,6 @@ use groundtruth::accel::{Accel, Counts};
 use groundtruth::math::cbrt;
 use groundtruth::shapes::RandomSpheres;
 
-use super::searched::{self, Both, some_rays};
 use crate::prelude::*;
 
 const RAYS: usize = 400;
@@ -69,24 +68,4 @@ fn steps_grow_slowly_in_the_books_scene() {
         }
         assert!(costs[2][1] < 64.0, "{method:?} tests {}", costs[2][1]);
     }
-}
-
-/// Law: counting changes no answer; the list tests every object, the tree few of many. Oracle: the
-/// list, and the number of objects.
-#[test]
-fn a_counted_search_finds_the_same() {
-    let both = Both::new(searched::spheres(&mut Draw::new(2255), 300));
-    let (mut tests, mut steps) = (0, 0);
-    for ray in some_rays(2256, 1_000, 1.0) {
-        let hit = searched::hits(&both.objects, &ray);
-        let (mut by_list, mut by_tree) = (Counts::default(), Counts::default());
-        let found = both.list.nearest(&ray, Span::AHEAD, &mut by_list, &hit);
-        assert_eq!(found, both.list.nearest(&ray, Span::AHEAD, &mut (), &hit));
-        assert_eq!(found, both.tree.nearest(&ray, Span::AHEAD, &mut by_tree, &hit));
-        assert_eq!([by_list.steps, by_list.tests], [0, 300]);
-        tests += by_tree.tests;
-        steps += by_tree.steps;
-    }
-    assert!(tests < 20_000 && steps < 20_000 && steps > 500, "{tests} tests, {steps} nodes");
-    above!(both.tree.memory_bytes(), both.list.memory_bytes());
 }

@@ -164,35 +164,3 @@ fn the_meniscus_touches_level_and_glass_without_an_angle() {
     assert!((to_degrees(atan2(contact.y(), contact.x())) - 18.408).abs() < 0.01, "{contact:?}");
     assert!((contact.to_vector().length() - 1.0).abs() < 1e-6, "{contact:?}");
 }
-
-/// Law: impossible dimensions and unknown names of materials are refused with an error that names the field.
-/// Oracle: the messages.
-#[test]
-fn vessels_that_cannot_be_are_refused() {
-    let plain = BoundaryMaterials::default;
-    let glass = GlassOfWater::default();
-    let bowl = FishBowl::default();
-    let named = BoundaryMaterials { water_air: Some("beer".to_owned()), ..plain() };
-    let cases: [(Kind, &str); 8] = [
-        (
-            GlassOfWater { meniscus_radius: 0.45, ..glass.clone() }.into(),
-            "meniscus_radius: found 0.45",
-        ),
-        (GlassOfWater { water_height: 1.95, ..glass.clone() }.into(), "water_height: found 1.95"),
-        (GlassOfWater { water_height: 0.2, ..glass.clone() }.into(), "water_height: found 0.2"),
-        (GlassOfWater { wall_thickness: 0.0, ..glass.clone() }.into(), "wall_thickness: found 0"),
-        (
-            GlassOfWater { materials: named.clone(), ..glass }.into(),
-            "materials.water_air: no material `beer`",
-        ),
-        (FishBowl { water_depth: 1.72, ..bowl.clone() }.into(), "water_depth: found 1.72"),
-        (FishBowl { meniscus_radius: 0.6, ..bowl.clone() }.into(), "meniscus_radius: found 0.6"),
-        (FishBowl { opening: 0.0, ..bowl }.into(), "opening: found 0"),
-    ];
-    for (shape, message) in cases {
-        let mut scene = vessel(glass_of_water, [AIR, WATER, GLASS], Rgb::BLACK);
-        scene.objects[0].shape = shape;
-        let error = World::build(&scene).expect_err("no such vessel").to_string();
-        assert!(error.contains(message), "{error}\ninstead of\n{message}");
-    }
-}

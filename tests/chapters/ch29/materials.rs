@@ -2,7 +2,7 @@
 
 use groundtruth::materials::Kind;
 use groundtruth::render::render;
-use groundtruth::shapes::{Part, Sampling};
+use groundtruth::shapes::Sampling;
 use groundtruth::textures::{Amount, Checker3d, Filtering, Image, Mapping};
 
 use super::{by_uv, image_file, linear};
@@ -118,47 +118,6 @@ fn only_an_image_without_mapping_asks_for_texture_coordinates() {
     assert_eq!(asked(checker), 0, "solid");
     assert_eq!(asked(linear(&file, Some(Mapping::Spherical))), 0, "mapped");
     assert_eq!(asked(linear(&file, None)), 9, "by the surface's own");
-}
-
-/// Law: an object of a shape without texture coordinates, or with a part without any, is refused if its
-/// material needs them, and the message names the material; for a part with a material of its own, that
-/// material decides. Oracle: scenes made by hand.
-#[test]
-fn a_shape_without_texture_coordinates_is_refused() {
-    let file = image_file([1, 1], |_, _| [7, 7, 7]);
-    let scene = |shape: shapes::Kind| {
-        let mut scene = stage(Rgb::BLACK);
-        put(
-            &mut scene,
-            shape,
-            Matte { ka: 1.0.into(), kd: 1.0.into(), cd: linear(&file, None).into() },
-        );
-        put(&mut scene, UNIT, Matte { ka: 1.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() });
-        World::build(&scene)
-    };
-    let moved = |shape: shapes::Kind| Instance::new(shape, vec![Step::RotateX(10.0)]).into();
-    scene(moved(square(1.0).into())).expect("the textured square is valid");
-    let plain = Mesh { uvs: None, ..square(1.0) };
-    for shape in [UNIT.into(), plain.clone().into(), moved(UNIT.into())] {
-        let problem = scene(shape).expect_err("no coordinates").to_string();
-        let start = "objects[0] \"0\", shape: its material `0` has an image without `mapping`";
-        assert!(problem.starts_with(start), "{problem}");
-    }
-    let beside = |ball: Part| {
-        scene(Compound { accel: None, parts: vec![Part::new(square(1.0)), ball] }.into())
-    };
-    assert!(beside(Part::new(UNIT).of_material("1")).is_ok(), "a ball of plain material");
-    assert!(beside(Part::new(UNIT)).is_err(), "a ball of the image's material");
-
-    // the material of a part is named, and not the object's
-    let mut scene = stage(Rgb::BLACK);
-    let parts = vec![Part::new(square(1.0)), Part::new(UNIT).of_material("1")];
-    let paint = |cd: Paint| Matte { ka: 1.0.into(), kd: 1.0.into(), cd };
-    put(&mut scene, Compound { accel: None, parts }, paint(Rgb::WHITE.into()));
-    put(&mut scene, UNIT, paint(linear(&file, None).into()));
-    let problem = World::build(&scene).expect_err("no coordinates").to_string();
-    let start = "objects[0] \"0\", shape: its material `1` has an image without `mapping`";
-    assert!(problem.starts_with(start), "{problem}");
 }
 
 /// A texture alone, lit from all sides.

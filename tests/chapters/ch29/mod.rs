@@ -16,7 +16,7 @@
 //! | texture coordinates of triangle meshes | a mesh's texture coordinates are those given at its corners, and affine between | `materials::an_image_lies_on_a_mesh_by_its_corners` |
 //! | fig. 29.27, a sky by an image | the colour seen in a direction is that of its texel, times `ls`; below the horizon of a hemispherical sky it is black | `sky::each_direction_shows_its_texel` |
 //!
-//! Beyond the book: 1 in `mappings`, 3 in `materials`, 1 in `one_texel`, 7 in `sky`, 3 in `sky_light`, 4 in `texels`.
+//! Beyond the book: 1 in `mappings`, 2 in `materials`, 1 in `one_texel`, 4 in `sky`, 2 in `sky_light`, 4 in `texels`.
 
 mod mappings;
 mod materials;

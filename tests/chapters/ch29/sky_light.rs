@@ -6,7 +6,7 @@ use groundtruth::textures::Filtering;
 
 use super::sky::{DOMES, all_around, image, ragged, texel, written};
 use crate::prelude::*;
-use crate::support::replicas::{LEVEL, mean_and_error};
+use crate::support::replicas::mean_and_error;
 
 /// A plane of this normal under the sky.
 fn under(sky: Image, normal: Vector, recipe: impl Into<MaterialKind>) -> Scene {
@@ -82,28 +82,4 @@ fn a_tiny_sun_converges() {
     }
     let [(_, blind), (_, aware)] = [path_trace, path].map(|values| mean_and_error(values));
     assert!(blind > 20.0 * aware, "the errors are {blind:e} unsampled and {aware:e} sampled");
-}
-
-/// Law: on sharp gloss, where sampling the lobe is better than sampling the light, all path tracers have the
-/// same mean. Oracle: each other, Welch's t.
-#[test]
-fn path_tracers_agree_on_gloss_under_a_sunny_sky() {
-    let phong = Phong { kd: 0.3.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
-    let (cr, rule) = (Rgb::WHITE.into(), GlossyRule::Normalised);
-    let gloss = GlossyReflector { phong, kr: 0.5.into(), cr, exponent: 60.0.into(), rule };
-    let sky = image("gloss", Dome::LightProbe, Filtering::Bilinear);
-    let found = [1, 2, 3].map(|i| {
-        let scene = under(sky.clone(), Vector::Y, gloss.clone());
-        let scene = Scene { tracer: tracers()[i], ..with_samples(scene, 1024) };
-        replicas(&scene, |world| {
-            view(world, Point::new(0.0, 1.0, 0.0), Vector::new(1.0, -1.0, 0.5)).g
-        })
-    });
-    let [path_trace, global_trace, path] = &found;
-    for (name, other) in [("path_trace", path_trace), ("global_trace", global_trace)] {
-        let p = means::two_samples(other, path);
-        let [(a, e), (b, f)] = [other, path].map(|values| mean_and_error(values));
-        assert!(p > sidak(LEVEL, 2), "{name} finds {a} ± {e:e}, path {b} ± {f:e}, p = {p:e}");
-        assert!(e < 0.05 * a && f < 0.05 * b, "{name}: ± {e:e}, ± {f:e}");
-    }
 }

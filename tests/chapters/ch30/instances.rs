@@ -62,7 +62,7 @@ fn textures() -> Vec<Texture> {
 }
 
 proptest! {
-    #![proptest_config(laws())]
+    #![proptest_config(ProptestConfig { cases: laws().cases / 8, ..laws() })]
 
     /// Law: without steps, or with steps that do nothing, a texture instance is the texture itself, bit
     /// for bit. Oracle: every kind of texture, without an instance.
@@ -78,6 +78,10 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    #![proptest_config(laws())]
 
     /// Law: a texture instance of f has `g(p) = f(M⁻¹ p)`: scaled by s, f(p/s) component-wise; moved by
     /// t, f(p − t); turned and sheared likewise. Oracle: each inverse written out by hand (ch. 30).

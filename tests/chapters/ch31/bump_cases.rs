@@ -1,36 +1,11 @@
-//! Bumps: turned objects, flat bumps, calls of the shape, and errors.
+//! Bumps by wireframes, and calls of the shape.
 
-use groundtruth::bumps::{self, Height, Kind as Bump};
-use groundtruth::textures::{Fbm, Wireframe};
+use groundtruth::bumps::{self, Height};
+use groundtruth::textures::Wireframe;
 
 use super::bumps::{apart, ball, bumped, met, white};
 use crate::prelude::*;
 use crate::support::asked::Counted;
-
-/// Law: bumps turn with their object. Oracle: the turned normal of the object that is not turned.
-#[test]
-fn bumps_turn_with_their_object() {
-    let data = Noise::of_octaves(3);
-    for bump in [
-        Bump::from(bumps::Noise { noise: data, size: 0.3, perturbation: 0.5 }),
-        Height::new(Fbm::new(data, 0.3), 0.2).into(),
-    ] {
-        let steps = vec![Step::RotateY(70.0), Step::RotateX(-25.0)];
-        let turn = Transform::from_steps(&steps).expect("a rotation");
-        let still = built(&bumped(ball(1.0), bump.clone()));
-        let turned = built(&bumped(Instance::new(ball(1.0), steps), bump));
-        let mut random = Pcg32::new(31, 3);
-        for _ in 0..50 {
-            let direction = Vector::from([(); 3].map(|()| random.uniform() - 0.5));
-            let n = |world: &World, d: Vector| {
-                met(world, Point::ORIGIN + 9.0 * d, -d).expect("it is hit").1.shading
-            };
-            let (here, there) = (n(&still, direction), n(&turned, turn.vector(direction)));
-            let off = apart(there, turn.vector(here.into()));
-            assert!(off < 1e-9, "{off} apart");
-        }
-    }
-}
 
 /// Law: a wall along an edge, drawn by a wireframe, turns the normal of a lone triangle as that of a mesh, and as that of
 /// one moved under a fixed texture. Oracle: the central difference across the wall's border, `h/2δ`, in closed form.

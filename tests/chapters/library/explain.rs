@@ -180,27 +180,7 @@ fn the_samples_statistics_are_theirs() {
 }
 
 /// A floor under water, lit from two above and seen from one above.
-const UNDER_WATER: &str = r#"
-[image]
-width = 1
-height = 1
-[camera]
-eye = [0, 1, 0]
-look_at = [0, 0, 0]
-up = [0, 0, 1]
-lens = { pinhole = { distance = 1 } }
-medium = { eta = 1.33, absorption = [0.5, 0.25, 0] }
-[[lights]]
-name = "lamp"
-source = { point = { ls = 3, color = 1, location = [0, 2, 0] } }
-[[materials]]
-name = "white"
-recipe = { matte = { kd = 1, cd = 1 } }
-[[objects]]
-name = "floor"
-material = "white"
-shape = { plane = { point = [0, 0, 0], normal = [0, 1, 0] } }
-"#;
+const UNDER_WATER: &str = include_str!("explain/under_water.toml");
 
 /// Law: the lines of a shadow ray give the light that it found and what the medium left of it. Oracle: Beer's
 /// law, `exp(−2σ)`: 0.368 and 0.607.

@@ -18,49 +18,6 @@ fn scene(objects: Vec<shapes::Kind>) -> Scene {
     scene
 }
 
-/// The box of an instance whose translations cancel was more exact than its hits, which were then
-/// rejected as outside the box.
-#[test]
-fn a_disk_moved_far_and_back_does_not_vanish() {
-    for k in 0..14 {
-        let far = 3.3 * groundtruth::math::power(5.0, f64::from(k));
-        let disk = Disk { center: Point::new(0.0, 0.0, far), normal: Vector::Z, radius: 1.0 };
-        let shape = Instance::new(disk, vec![Step::Translate(Vector::new(0.0, 0.0, -far))]);
-        let world = World::build(&scene(vec![shape.into()])).expect("valid");
-        let ray = Ray::new(Point::new(0.3, 0.2, 3.3), -Vector::Z);
-        let hit = world.hit(&ray, groundtruth::math::Span::AHEAD);
-        assert!(hit.is_some(), "gone when moved by {far}");
-    }
-}
-
-/// A shadow segment ended exactly at the light, so rounding decided whether the surface on which the light
-/// lies was in front of it or behind.
-#[test]
-fn a_lamp_on_a_surface_is_not_in_that_surfaces_shadow() {
-    let floor = Plane { point: Point::new(0.0, -1.0, 0.0), normal: Vector::Y };
-    let ball = Sphere { center: Point::new(0.1, 0.7, 0.3), radius: 0.3, inward: false };
-    let mut scene = scene(vec![floor.into(), ball.into()]);
-    // the lowest point of the ball, up to rounding
-    let lamp = lights::PointLight {
-        ls: 3.0,
-        color: Rgb::WHITE,
-        location: Point::new(0.1, 0.7 - 0.3, 0.3),
-        attenuation: 0.0,
-    };
-    scene.lights.push(Light::new("lamp", lamp));
-    let world = World::build(&scene).expect("valid");
-    for i in 0..400 {
-        let angle = f64::from(i) * 0.1;
-        let (x, z) = (groundtruth::math::cos(angle), groundtruth::math::sin(angle));
-        let ray = Ray::new(Point::new(3.0 * x, 2.0, 3.0 * z), Vector::ZERO);
-        let target = Point::new(0.5 * x, -1.0, 0.5 * z);
-        let direction = (target - ray.origin).unit().expect("apart");
-        let seen =
-            trace::radiance(&world, &Ray { direction, ..ray }, world.draws([0, 0], 0), &mut ());
-        assert!(seen.r > 0.0, "a black speck near {target:?}");
-    }
-}
-
 /// A simple transparent surface does not define a medium, and yet it removed the fog behind it.
 #[test]
 fn an_invisible_ball_does_not_clear_the_fog() {

@@ -208,7 +208,8 @@ fn any(number: u64) -> Scene {
 
 /// Random scenes, and all of the gallery in small.
 pub fn all() -> impl Iterator<Item = (String, Scene)> {
-    let random = (0..SCENES).map(|number| (format!("scene {number}"), any(number)));
+    let random =
+        (0..as_many(SCENES / 2, SCENES)).map(|number| (format!("scene {number}"), any(number)));
     random.chain(gallery_in_small(1).map(|(name, scene)| (name.to_owned(), scene)))
 }
 
@@ -217,9 +218,9 @@ pub fn all() -> impl Iterator<Item = (String, Scene)> {
 /// Oracle: the scene as it is, bit for bit.
 #[test]
 fn scale_acceleration_and_export_do_not_matter() {
-    for (name, mut scene) in all() {
+    for (i, (name, mut scene)) in all().enumerate() {
         let original = render(&built(&scene));
-        for &k in as_many(&[-30, 5][..], &[-30, -3, 5, 30]) {
+        for &k in as_many(&[[-30], [5]][i % 2][..], &[-30, -3, 5, 30]) {
             let scaled = render(&built(&scaled_scene(&scene, k)));
             assert_same_bits(&format!("{name} times 2^{k}"), &scaled, &original);
         }
@@ -228,8 +229,8 @@ fn scale_acceleration_and_export_do_not_matter() {
         assert_same_bits(&format!("{name}, read again"), &render(&world), &original);
         assert_eq!(to_toml(&again).expect("plain data"), text, "{name}");
         let own = scene.accel;
-        for method in [Method::List, Method::Grid, Method::Bvh].into_iter().filter(|&it| it != own)
-        {
+        let others = Method::ALL.into_iter().filter(|&it| it != own);
+        for method in others.skip(as_many(i / 2 % 2, 0)).take(as_many(1, 2)) {
             scene.accel = method;
             let picture = render(&built(&scene));
             assert_same_bits(&format!("{name}, {method:?}"), &picture, &original);

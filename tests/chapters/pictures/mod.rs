@@ -4,5 +4,4 @@
 mod any_scene;
 mod random_scenes;
 mod recorded;
-mod same_bits;
 pub mod studio;

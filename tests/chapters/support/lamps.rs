@@ -51,17 +51,6 @@ pub fn panel(center: Point, a: Vector, b: Vector) -> Rectangle {
     Rectangle { corner: center - 0.5 * (a + b), a, b }
 }
 
-/// The four corners of a rectangle, counter-clockwise as seen from where `a × b` points.
-pub fn corners(rectangle: &Rectangle) -> [Point; 4] {
-    let Rectangle { corner, a, b } = *rectangle;
-    [corner, corner + a, corner + a + b, corner + b]
-}
-
-/// The radiance of a white surface if lamps fill this share of its cosine-weighted hemisphere: `F L`.
-pub fn lit(share: f64) -> Rgb {
-    (share * LS) * CE
-}
-
 /// A lamp of each shape that can be a lamp, around the point (0, 3, 0); flat ones face down.
 pub fn every_lamp() -> Vec<(&'static str, shapes::Kind)> {
     use groundtruth::math::Step;

@@ -80,53 +80,6 @@ fn printed_numbers_multiply_to_the_term() {
     assert_eq!(lobes.len(), Lobe::ENTRIES.len(), "lobes of the gallery: {lobes:?}");
 }
 
-/// Law: the cosines in a formula are those between the recorded directions, and its k_r and k_t those of the recorded
-/// optics. Oracle: scalar products of the directions of the rays and of the normal.
-#[test]
-fn the_numbers_of_a_formula_are_those_of_the_hit() {
-    let mut checked = std::collections::BTreeMap::<&str, u32>::new();
-    for_each_term(|scene, ray, term, formula| {
-        let Some(hit) = &ray.hit else { return };
-        let Some(child) = term.ray.and_then(|number| ray.child(number)) else { return };
-        let normal = if hit.front { hit.shading_normal } else { -hit.shading_normal };
-        let wo = -1.0 * ray.ray.direction;
-        let Some(wi) = child.ray.direction.unit() else { return };
-        let cos_i = normal.dot(wi);
-        let mirrored = 2.0 * cos_i * Vector::from(normal) - wi;
-        // interpolated normals have rules of their own
-        let is_flat = hit.shading_normal == hit.normal;
-        for factor in formula.factors.iter().filter(|_| is_flat) {
-            let (wanted, tolerance) = match (factor.symbol, &hit.optics) {
-                ("cos θ_i", _) => (cos_i, 1e-9),
-                ("(r·ω_o)^e", _) => match factor.number.split_once('^') {
-                    // the base itself
-                    Some((base, _)) => {
-                        let base: f64 = base.parse().expect("a number");
-                        let apart = (base - mirrored.dot(wo)).abs();
-                        assert!(apart < 1e-5, "{scene}: {}, not {}", base, mirrored.dot(wo));
-                        continue;
-                    }
-                    None => continue,
-                },
-                ("k_r", Some(optics)) => (optics.reflected.max(), 1e-9),
-                ("k_t", Some(optics)) => (optics.transmitted.max(), 1e-9),
-                ("η²", Some(optics)) => (optics.eta * optics.eta, 1e-9),
-                _ => continue,
-            };
-            let found = factor.value.max();
-            let symbol = factor.symbol;
-            *checked.entry(symbol).or_default() += 1;
-            assert!(
-                (found - wanted).abs() < tolerance * wanted.abs().max(1.0),
-                "{scene}, ray {}: {symbol} is {found}, not {wanted}",
-                ray.number
-            );
-        }
-    });
-    let symbols: Vec<&str> = checked.keys().copied().collect();
-    assert_eq!(symbols, ["cos θ_i", "k_r", "k_t", "η²"], "{checked:?}");
-}
-
 /// Oracle: the formula of the book, by hand. A term of a known mistake has a factor that the formula has not.
 #[test]
 fn a_formula_is_written_in_the_books_letters() {

@@ -8,6 +8,7 @@ use scenefile::from_toml;
 
 use super::{UNDER_WATER, all, nested_glass_of};
 use crate::prelude::*;
+use crate::support::stage::recorded;
 
 /// The tree of the only pixel of a scene file.
 fn tree_of(text: &str) -> RecordedRay {
@@ -57,36 +58,7 @@ fn each_term_adds_what_the_sample_has_less_without_it() {
 }
 
 /// A mirror over a bright floor that mirrors a little itself.
-const MIRRORED_FLOOR: &str = r#"
-background = 0.5
-[image]
-width = 1
-height = 1
-[camera]
-eye = [0, 1, 0]
-look_at = [0, 1, -1]
-lens = { pinhole = { distance = 1 } }
-[tracer.whitted]
-max_depth = 4
-[[lights]]
-name = "sun"
-shadows = false
-source = { directional = { ls = 6, direction = [0, 1, 2] } }
-[[materials]]
-name = "mirror"
-recipe.reflective = { kr = 0.9 }
-[[materials]]
-name = "floor"
-recipe.reflective = { kr = 0.1, phong = { ka = 0, kd = 0.8, cd = 1, ks = 0, exponent = 1 } }
-[[objects]]
-name = "mirror"
-material = "mirror"
-shape.rectangle = { corner = [-1, 0, -2], a = [2, 0, 0], b = [0, 1.4, 1.4] }
-[[objects]]
-name = "floor"
-material = "floor"
-shape.plane = { point = [0, 0, 0], normal = [0, 1, 0] }
-"#;
+const MIRRORED_FLOOR: &str = include_str!("mirrored_floor.toml");
 
 /// Law: the path of the light takes the child that adds most, and ends where a ray's own light adds more, be it
 /// inside the tree; the text shows no ray beyond it. Oracle: every child compared; a floor that shines by its own
@@ -122,44 +94,21 @@ fn the_path_of_the_light_follows_the_largest() {
 /// that is turned by a known angle from the ray.
 #[test]
 fn the_angle_of_incidence_is_to_the_true_normal() {
-    for degrees in [0.0_f64, 20.0, 65.0] {
-        for lean in [0.0, 0.3, -0.5] {
-            let (sin, cos) = sin_cos(to_radians(degrees));
-            // turned about the y axis; its normal is (sin, 0, cos)
-            let corner = |x: f64, y: f64| format!("[{}, {y}, {}]", x * cos, -x * sin);
-            let corners = [corner(-3.0, -3.0), corner(3.0, -3.0), corner(0.0, 4.0)].join(", ");
-            let normal = format!("[{}, {lean}, {cos}]", sin + lean);
-            let text = format!(
-                r#"
-[image]
-width = 1
-height = 1
-[camera]
-eye = [0, 0, 5]
-look_at = [0, 0, 0]
-lens = {{ pinhole = {{ distance = 1 }} }}
-[[materials]]
-name = "white"
-recipe.matte = {{ kd = 1, cd = 1 }}
-[[objects]]
-name = "triangle"
-material = "white"
-shape.triangle = {{ vertices = [{corners}], normals = [{normal}, {normal}, {normal}] }}
-"#
-            );
-            let root = tree_of(&text);
-            let hit = root.hit.expect("it is met");
-            let towards = -root.ray.direction.z();
-            let along = root.ray.direction.x();
-            let expected = to_degrees(acos((cos * towards - sin * along).abs()));
-            let found = hit.angle_of_incidence;
-            assert!(
-                (found - expected).abs() < 1e-6,
-                "{degrees}°, lean {lean}: {found}°, not {expected}°"
-            );
-            // rounded, it may differ from the true one by a bit
-            let cosine = hit.shading_normal.dot(hit.normal);
-            assert_eq!(cosine > 1.0 - 1e-12, lean == 0.0, "{degrees}°, lean {lean}");
-        }
+    for (degrees, lean) in
+        [0.0, 20.0, 65.0].into_iter().flat_map(|a| [0.0, 0.3, -0.5].map(|b| (a, b)))
+    {
+        let (sin, cos) = sin_cos(to_radians(degrees));
+        let vertices =
+            [(-3.0, -3.0), (3.0, -3.0), (0.0, 4.0)].map(|(x, y)| Point::new(x * cos, y, -x * sin));
+        let normals = Some([Vector::new(sin, lean, cos); 3]);
+        let mut scene = stage(Rgb::BLACK);
+        put(&mut scene, Triangle { vertices, normals }, matte(0.0, 1.0, Rgb::WHITE));
+        let hit =
+            recorded(&built(&scene), Point::new(0.0, 0.0, 5.0), -Vector::Z).root().hit.clone();
+        let hit = hit.expect("it is met");
+        near!(hit.angle_of_incidence, degrees, 1e-6, "lean {lean}");
+        // rounded, it may differ from the true one by a bit
+        let cosine = hit.shading_normal.dot(hit.normal);
+        assert_eq!(cosine > 1.0 - 1e-12, lean == 0.0, "{degrees}°, lean {lean}");
     }
 }

@@ -1,6 +1,6 @@
 //! What each light and each lobe adds to a pixel.
 
-use explain::{RecordedRay, RecordedTerm, Source, SourceExplanation};
+use explain::{RecordedRay, RecordedTerm, Source};
 use groundtruth::filters::Mitchell;
 use groundtruth::materials::Kind;
 use groundtruth::trace::TermSource;
@@ -54,66 +54,6 @@ fn the_means_add_up_to_the_pixel() {
         }
     }
     assert!(rows > 100, "{rows}");
-}
-
-/// The names and means of a list, by name.
-fn named(sources: &[SourceExplanation]) -> Vec<(String, Rgb)> {
-    let mut named: Vec<_> = sources.iter().map(|row| (row.source.name(), row.mean)).collect();
-    named.sort_by(|a, b| a.0.cmp(&b.0));
-    named
-}
-
-/// Law: the first list counts a light at every hit, and a lobe with the emission that its rays meet. The
-/// second counts a light only at the first hit, and a lobe with all the light along its rays. Oracle: the
-/// sums by hand, for a mirror that reflects a quarter of a wall's light; both also reflect diffusely, and
-/// the wall emits.
-#[test]
-fn a_mirror_before_a_wall_is_divided_as_by_hand() {
-    let lens = Orthographic { zoom: 1.0 };
-    let camera = Viewpoint::new(Point::new(0.0, 0.0, 5.0), Point::ORIGIN, lens);
-    let mut scene = Scene::new("", Image::new(1, 1), camera);
-    scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
-    let phong = Phong { ka: 0.1.into(), kd: 0.5.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
-    let matte = Some(Matte { ka: 0.4.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() });
-    scene.materials = vec![
-        Material::new("mirror", Reflective { phong, kr: 0.25.into(), cr: Rgb::WHITE.into() }),
-        Material::new("wall", Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) }),
-    ];
-    let facing = |normal: Vector, z| Plane { point: Point::new(0.0, 0.0, z), normal };
-    scene.objects = vec![
-        Object::new("mirror", "mirror", facing(Vector::Z, 0.0)),
-        Object::new("wall", "wall", facing(-Vector::Z, 10.0)),
-    ];
-    // irradiance π: a matte surface shows its reflectance
-    let towards = |direction| Directional { ls: PI, color: Rgb::WHITE, direction };
-    scene.lights = vec![
-        Light::new("ambient", Ambient { ls: 1.0, color: Rgb::WHITE }),
-        Light::new("above", towards(Vector::Z)).without_shadows(),
-        Light::new("below", towards(-Vector::Z)).without_shadows(),
-    ];
-    let world = World::build(&scene).expect("the scene is valid");
-    let sources = explain::pixel(&scene, &world, [0, 0], None).expect("few rays").sources;
-    let by_entry = [
-        ("light \"above\"", 0.5),
-        ("light \"ambient\"", 0.1 + 0.25 * 0.4),
-        ("light \"below\"", 0.25 * 0.8),
-        ("perfect specular", 0.25 * 2.0),
-    ];
-    let by_first_hit = [
-        ("light \"above\"", 0.5),
-        ("light \"ambient\"", 0.1),
-        ("perfect specular", 0.25 * (0.4 + 0.8 + 2.0)),
-    ];
-    for (found, expected) in
-        [(sources.by_entry, &by_entry[..]), (sources.by_first_hit, &by_first_hit[..])]
-    {
-        let found = named(&found);
-        assert_eq!(found.len(), expected.len(), "{found:?}");
-        for ((name, mean), (expected_name, expected_mean)) in found.into_iter().zip(expected) {
-            assert_eq!(name, *expected_name);
-            assert_near(mean, Rgb::grey(*expected_mean), &name);
-        }
-    }
 }
 
 /// All rays but shadow rays, each with the lobe that sent it.
@@ -206,33 +146,7 @@ fn a_single_sample_has_no_deviation() {
 }
 
 /// Three nested balls of glass at depth 100, and a pixel at their outline.
-const ENDLESS: &str = r#"
-background = 1
-tracer.whitted = { max_depth = 100 }
-[image]
-width = 1000
-height = 1000
-pixel_size = 0.1
-samples = 16
-[camera]
-eye = [0, 0, 5]
-lens = { pinhole = { distance = 5 } }
-[[materials]]
-name = "glass"
-recipe = { dielectric = { inside = { eta = 1.5 } } }
-[[objects]]
-name = "outer"
-material = "glass"
-shape = { sphere = { center = [0, 0, 0], radius = 1 } }
-[[objects]]
-name = "middle"
-material = "glass"
-shape = { sphere = { center = [0, 0, 0], radius = 0.9 } }
-[[objects]]
-name = "inner"
-material = "glass"
-shape = { sphere = { center = [0, 0, 0], radius = 0.8 } }
-"#;
+const ENDLESS: &str = include_str!("endless.toml");
 
 /// Law: a pixel whose ray trees have no end is refused, although the sample that was asked for meets no glass.
 /// Oracle: the test ends.
