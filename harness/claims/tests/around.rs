@@ -1,27 +1,15 @@
 //! Which directions and points a program is asked for, and where numbers stop to be possible.
 
-use ask::{Subject, numbers};
+use ask::Subject;
 use serde_json::{Value, json};
 
-use super::counted::{Lambert, card, data};
+use super::counted::{Lambert, Vector, card, data, dot, vector};
 use super::lamps::Lamps;
 use super::named::Changed;
 use super::squares::Squares;
 
-type Vector = [f64; 3];
-
-fn vector(value: &Value) -> Vector {
-    let mut all = numbers(value).expect("numbers");
-    all.resize(3, 0.0);
-    [all[0], all[1], all[2]]
-}
-
 fn minus(a: Vector, b: Vector) -> Vector {
     [0, 1, 2].map(|k| a[k] - b[k])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|k| a[k] * b[k]).sum()
 }
 
 /// Law: what rounding may do is measured in four directions around each: twice the square root of the rounding away, two and two

@@ -9,19 +9,25 @@ use super::counted::{Lambert, card, first};
 use super::mistakes::times;
 use super::rough::Rough;
 
+/// Gives the answer of Lambert's lobe another albedo.
+fn with_albedo(answer: &mut Value, albedo: f64) {
+    let factor = albedo / 0.7;
+    match answer {
+        Value::Array(samples) => samples.iter_mut().for_each(|it| times(&mut it["weight"], factor)),
+        eval => times(&mut eval["f"], factor),
+    }
+}
+
 /// The first law that Lambert's lobe breaks with these claims and this albedo; with numbers of its own, whose samples come in
 /// another order each time.
 fn broken(claims: Value, albedo: f64, is_own: bool) -> Option<&'static str> {
     let mut asked = 0;
     let change = |_: &Value, mut answer: Value| {
-        match &mut answer {
-            Value::Array(samples) => {
-                asked += 1;
-                samples.iter_mut().for_each(|it| times(&mut it["weight"], albedo / 0.7));
-                let count = samples.len();
-                samples.rotate_left(if is_own { asked % count } else { 0 });
-            }
-            eval => times(&mut eval["f"], albedo / 0.7),
+        with_albedo(&mut answer, albedo);
+        if let Some(samples) = answer.as_array_mut().filter(|_| is_own) {
+            asked += 1;
+            let count = samples.len();
+            samples.rotate_left(asked % count);
         }
         answer
     };
@@ -58,12 +64,7 @@ fn the_white_furnaces_of_openpbr_find_a_loss() {
     }
     for (albedo, expected) in [(1.0, None), (0.99, Some("albedo"))] {
         let change = |_: &Value, mut answer: Value| {
-            match &mut answer {
-                Value::Array(samples) => {
-                    samples.iter_mut().for_each(|it| times(&mut it["weight"], albedo / 0.7));
-                }
-                eval => times(&mut eval["f"], albedo / 0.7),
-            }
+            with_albedo(&mut answer, albedo);
             answer
         };
         let mut lambert = Lambert::new(json!({}), json!({}), change);

@@ -1,31 +1,11 @@
 //! Answers of other types, and answers that are off by a little.
 
-use ask::{Reply, Subject, numbers};
 use serde_json::{Value, json};
 
-use super::counted::{Lambert, card, data, first};
-
-/// Multiplies all numbers of a field by this.
-fn scaled(mut answer: Value, pointer: &str, by: f64) -> Value {
-    fn all(value: &mut Value, by: f64) {
-        match value {
-            Value::Array(items) => items.iter_mut().for_each(|item| all(item, by)),
-            other => *other = json!(other.as_f64().map(|x| x * by)),
-        }
-    }
-    match &mut answer {
-        // samples
-        Value::Array(items) => {
-            items.iter_mut().filter_map(|it| it.get_mut(pointer)).for_each(|it| all(it, by))
-        }
-        other => {
-            if let Some(value) = other.get_mut(pointer) {
-                all(value, by);
-            }
-        }
-    }
-    answer
-}
+use super::counted::{Lambert, card, data, first, vector};
+use super::mistakes::{scaled, times};
+use super::named::Changed;
+use super::squares::Squares;
 
 /// Law: in double precision, weights, densities and directions of samples that are off by 10⁻⁶ break their law, and by 10⁻¹⁵
 /// they do not; a claim of `float` allows 10⁻⁷, and not 10⁻². Oracle: the planted error; the laws move directions by the square
@@ -39,7 +19,7 @@ fn values_are_held_to_their_precision() {
             [(false, 1e-6, true), (false, 1e-15, false), (true, 1e-2, true), (true, 1e-7, false)]
         {
             let change = |asked: &Value, answer: Value| match asked.get(question) {
-                Some(_) => scaled(answer, field, 1.0 + by),
+                Some(_) => scaled(answer, field, &[field], 1.0 + by),
                 None => answer,
             };
             let mut subject = Lambert::new(json!({"float": is_float}), json!({}), change);
@@ -62,8 +42,7 @@ fn values_are_held_to_their_precision() {
             [(1e-6, 0, true), (1e-6, 1, true), (1e-6, 2, true), (1e-17, 0, false)]
         {
             let change = |asked: &Value, mut answer: Value| {
-                let wo = numbers(&data(asked)["wo"]).expect("a direction");
-                let factor = 1.0 + size * by([wo[0], wo[1], wo[2]]);
+                let factor = 1.0 + size * by(vector(&data(asked)["wo"]));
                 let mut scale = |value: &mut Value| {
                     value[channel] = json!(value[channel].as_f64().map(|x| x * factor));
                 };
@@ -162,33 +141,19 @@ fn each_field_of_an_answer_is_needed() {
     }
 }
 
-/// Moves the points of a map out of its middle.
-struct Wider(super::squares::Squares, f64);
-
-impl Subject for Wider {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let replies = self.0.ask(questions);
-        let moved = |(question, reply): (&Value, Reply)| match (question.get("map"), reply) {
-            (Some(_), Ok(Value::Array(points))) => {
-                let point = |x: &Value| {
-                    numbers(x).expect("a point").iter().map(|x| x * self.1).collect::<Value>()
-                };
-                Ok(points.iter().map(point).collect())
-            }
-            (_, reply) => reply,
-        };
-        questions.iter().zip(replies).map(moved).collect()
-    }
-}
-
 /// Law: points of a map lie in its domain to rounding, also those of the corners of the square. Oracle: a disk and a
 /// sphere that are larger by 10⁻⁶, and by less than the rounding.
 #[test]
 fn points_lie_in_their_domain_to_rounding() {
     for map in [&["disk"], &["sphere"]] {
         for (by, expected) in [(1e-6, Some("inside")), (1e-15, None)] {
-            let of = super::squares::Squares::new(map, "", false);
-            let found = card(&mut Wider(of, 1.0 + by), 1);
+            let change = |question: &Value, answer: &mut Value| {
+                if question.get("map").is_some() {
+                    times(answer, 1.0 + by);
+                }
+            };
+            let right = Squares::new(map, "", false);
+            let found = card(&mut Changed { right, change }, 1);
             assert_eq!(first(&found), expected, "{map:?} larger by {by:e}\n{found}");
         }
     }

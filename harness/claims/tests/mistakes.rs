@@ -94,12 +94,3 @@ fn each_law_finds_its_mistake() {
         assert_eq!(first(&card), Some(law), "{card}");
     }
 }
-
-/// Law: a mistake in one sample of eighteen, which no single case shows beyond doubt, is found from all cases together, and
-/// asked again. Oracle: what was planted.
-#[test]
-fn chance_is_judged_for_the_card() {
-    let card = card(&mut Lambert::new(json!({}), json!({}), few_are_uniform), 6);
-    assert_eq!(first(&card), Some("density"), "{card}");
-    assert!(card.tests > 0);
-}

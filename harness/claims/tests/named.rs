@@ -1,32 +1,15 @@
 //! Factors that people leave out or put in: each is named if numbers are off by it in nearly all cases, and nothing else is.
 
-use ask::{Reply, Subject, numbers};
+use ask::{Reply, Subject};
 use std::f64::consts::PI;
 
 use claims::{ClaimsCard, ClaimsOptions, listed, run};
 use serde_json::{Value, json};
 
-use super::counted::{Lambert, data};
+use super::counted::{Lambert, Vector, data, dot, vector};
 use super::lamps::Lamps;
+use super::mistakes::times;
 use super::squares::Squares;
-
-type Vector = [f64; 3];
-
-fn vector(value: &Value) -> Vector {
-    let mut all = numbers(value).expect("numbers");
-    all.resize(3, 0.0);
-    [all[0], all[1], all[2]]
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn times(value: &mut Value, factor: f64) {
-    if let Some(x) = value.as_f64() {
-        *value = json!(factor * x);
-    }
-}
 
 /// A right program whose answers are changed.
 pub struct Changed<S, F> {

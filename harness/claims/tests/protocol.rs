@@ -1,6 +1,6 @@
 //! What a program may answer that is no lobe, and what is said of it.
 
-use ask::{Fault, Reply, Stop, Subject, numbers};
+use ask::{Fault, Reply, Stop, numbers};
 use std::f64::consts::TAU;
 
 use claims::{ClaimsOptions, junit, listed, page, run, told};
@@ -8,14 +8,7 @@ use groundtruth::math::{Frame, Normal, Vector, cos, sin};
 use libm::{exp, log};
 use serde_json::{Value, json};
 
-/// Answers by a function.
-struct Answers<F>(F);
-
-impl<F: FnMut(&Value) -> Reply> Subject for Answers<F> {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(&mut self.0).collect()
-    }
-}
+use super::counted::Answers;
 
 /// Law: a list is accepted at the borders of what it may say; one that is none is refused with what is wrong. Oracle:
 /// `lists.txt`, with the words behind an arrow.
@@ -109,23 +102,6 @@ fn an_interrupted_run_says_so_on_each_form() {
     }
 }
 
-/// Law: values that JSON has no numbers for are read, and break the law of finite values. Oracle: what was planted.
-#[test]
-fn values_that_are_not_finite_are_told() {
-    let card = card(|question| {
-        let count = |key: &str, list: &str| question[key][list].as_array().map_or(0, Vec::len);
-        Ok(match question.get("eval") {
-            Some(_) => {
-                let n = count("eval", "wi");
-                json!({"f": vec!["nan"; n], "pdf": vec![0.1; n]})
-            }
-            None => json!(vec![Value::Null; count("sample", "u")]),
-        })
-    });
-    let broken: Vec<_> = card.rows[0].broken().map(|(law, _)| law.name).collect();
-    assert_eq!(broken.first(), Some(&"positive"), "{broken:?}");
-}
-
 /// The answers of a lobe with these values in every direction, and this sample for every list of numbers.
 fn constant(f: f64, pdf: f64, sample: &Value, question: &Value) -> Reply {
     let count = |key: &str, list: &str| question[key][list].as_array().map_or(0, Vec::len);
@@ -165,10 +141,7 @@ fn a_small_loss_is_given_no_name() {
     let card = card(|question| {
         let is_eval = question.get("eval").is_some();
         let data = &question[if is_eval { "eval" } else { "sample" }];
-        let vector = |value: &Value| {
-            let w: [f64; 3] = numbers(value).and_then(|w| w.try_into().ok()).expect("numbers");
-            Vector::from(w)
-        };
+        let vector = |value: &Value| Vector::from(super::counted::vector(value));
         let wo = vector(&data["wo"]);
         let mirrored = Vector::new(-wo.x(), -wo.y(), wo.z());
         // von Mises and Fisher's density, which is smooth
