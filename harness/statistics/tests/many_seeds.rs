@@ -180,29 +180,6 @@ fn many_seeds_measure_the_false_alarms_of_tests_of_numbers() {
     run.end();
 }
 
-/// An interval of confidence `c` holds the true rate with at least that probability.
-#[test]
-#[ignore = "cost: cargo test --release many_seeds -- --ignored"]
-fn many_seeds_measure_how_often_a_proportion_is_outside_its_interval() {
-    for (trials, rate) in [(20, 0.3), (1000, 0.01), (1000, 0.001)] {
-        for confidence in [0.9, 0.99] {
-            let intervals: Vec<[f64; 2]> =
-                (0..=trials).map(|k| significance::proportion(k, trials, confidence)).collect();
-            let seeds = 100_000;
-            let mut outside = 0;
-            for seed in 0..seeds {
-                let random = &mut Pcg32::new(seed, 18);
-                let times = (0..trials).filter(|_| random.uniform() < rate).count();
-                let [low, high] = intervals[times];
-                outside += u64::from(rate < low || rate > high);
-            }
-            let [low, _] = significance::proportion(outside, seeds, CONFIDENCE);
-            println!("{trials} trials, {rate}, {confidence}: {}", outside as f64 / seeds as f64);
-            assert!(low <= 1.0 - confidence, "{outside} of {seeds} outside {confidence}");
-        }
-    }
-}
-
 /// The probability that a checker says of samples of a seed with an error of so many times the edge of what its doc line
 /// says it finds.
 type Edge = Box<dyn Fn(u64, f64) -> f64>;
