@@ -1,19 +1,34 @@
 //! Laws of light and of many rays, on logs that are worked out here; each with a mistake in it breaks its law alone.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use super::laws::traced;
 use groundtruth::lobes::fresnel;
 use groundtruth::math::{cos, power, sin};
-use rays::{Outcome, RayVerdict};
+use rays::{Outcome, RayVerdict, Traced};
 use serde_json::{Value, json};
 
 /// The laws that these lines break, with their causes.
 fn broken(lines: &[Value]) -> Vec<(&'static str, Option<&'static str>)> {
-    let traced = traced(&lines.iter().map(Value::to_string).collect::<Vec<_>>());
+    broken_by(traced(&lines.iter().map(Value::to_string).collect::<Vec<_>>()))
+}
+
+pub fn broken_by(traced: Traced) -> Vec<(&'static str, Option<&'static str>)> {
     let verdict = RayVerdict::of(traced);
     let broken = verdict.of_outcome(Outcome::Broken);
     broken.map(|(law, asked)| (law.name, law.cause(asked.roots()))).collect()
+}
+
+/// The lines of some pixels, honest ones and those of each mistake, counted from 1, keep all laws or break this one, with its cause.
+fn assert_pixels<const N: usize>(
+    pixels: Range<usize>,
+    lines: &dyn Fn(usize, usize) -> [Value; N],
+    law: &str,
+    causes: &[&str],
+) {
+    let all = |mistake: usize| pixels.clone().flat_map(|at| lines(mistake, at)).collect();
+    assert_law(&all, law, causes);
 }
 
 fn assert_law(lines: &dyn Fn(usize) -> Vec<Value>, law: &str, causes: &[&str]) {
@@ -49,16 +64,13 @@ fn to_lamp(at: usize, x: f64, lamp: [f64; 3], more: Value) -> Value {
 /// Law: light falls with the square of the distance. Oracle: powers of the distance.
 #[test]
 fn light_falls_with_the_square() {
-    let lines = |mistake: usize| {
-        let rays = (0..10).flat_map(|at| {
-            let x = 0.5 * at as f64;
-            let square = x * x + 9.0;
-            let light = [1.0 / square, 1.0 / square.sqrt(), 1.0 / (square * square)][mistake];
-            [seen(at, x, json!({})), to_lamp(at, x, [0.0, 3.0, 0.0], json!({"radiance": light}))]
-        });
-        rays.collect()
+    let lines = |mistake: usize, at: usize| {
+        let x = 0.5 * at as f64;
+        let square = x * x + 9.0;
+        let light = [1.0 / square, 1.0 / square.sqrt(), 1.0 / (square * square)][mistake];
+        [seen(at, x, json!({})), to_lamp(at, x, [0.0, 3.0, 0.0], json!({"radiance": light}))]
     };
-    assert_law(&lines, "falloff", &["it falls with 1/d:", "it falls with 1/d⁴"]);
+    assert_pixels(0..10, &lines, "falloff", &["it falls with 1/d:", "it falls with 1/d⁴"]);
 }
 
 /// Law: no surface sends on more light than arrives, with roulette or without; what is missing is named as far as the factors tell.
@@ -118,22 +130,23 @@ fn a_path_brings_the_sum() {
 /// Law: shares follow Fresnel's equations, or a constant. Oracle: the library's Fresnel terms, which an own suite checks.
 #[test]
 fn shares_follow_fresnel() {
-    let lines = |mistake: usize| {
-        let rays = (1..12).flat_map(|at| {
-            let sine = 0.08 * at as f64;
-            let cosine = (1.0 - sine * sine).sqrt();
-            let part = fresnel(cosine, 1.5).transmitted;
-            let choice = [part, 2.0 * part - 1.0, part][mistake];
-            let weight = [1.0, 1.0, part][mistake];
-            let behind = sine / 1.5;
-            [
-                seen(at, 0.0, json!({"origin": [-2.0 * sine, 2.0 * cosine, 0], "direction": [sine, -cosine, 0]})),
-                json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "transmitted", "eta": 1.5, "origin": [0, 0, 0], "direction": [behind, -(1.0 - behind * behind).sqrt(), 0], "choice": choice, "weight": weight}),
-            ]
-        });
-        rays.collect()
+    let lines = |mistake: usize, at: usize| {
+        let sine = 0.08 * at as f64;
+        let cosine = (1.0 - sine * sine).sqrt();
+        let part = fresnel(cosine, 1.5).transmitted;
+        let choice = [part, 2.0 * part - 1.0, part][mistake];
+        let weight = [1.0, 1.0, part][mistake];
+        let behind = sine / 1.5;
+        [
+            seen(
+                at,
+                0.0,
+                json!({"origin": [-2.0 * sine, 2.0 * cosine, 0], "direction": [sine, -cosine, 0]}),
+            ),
+            json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "transmitted", "eta": 1.5, "origin": [0, 0, 0], "direction": [behind, -(1.0 - behind * behind).sqrt(), 0], "choice": choice, "weight": weight}),
+        ]
     };
-    assert_law(&lines, "fresnel", &["the mean of both", "the share counts twice"]);
+    assert_pixels(1..12, &lines, "fresnel", &["the mean of both", "the share counts twice"]);
 }
 
 /// A ray that meets the floor at this sine, and one that leaves it at another.
@@ -149,58 +162,49 @@ fn meets(at: usize, sine: f64, leaves: [f64; 2], more: [Value; 2]) -> [Value; 2]
 /// not the share.
 #[test]
 fn chosen_rays_are_divided() {
-    let lines = |mistake: usize| {
-        let rays = (1..24).flat_map(|at| {
-            let sine = 0.04 * at as f64;
-            let cosine = (1.0 - sine * sine).sqrt();
-            let part = fresnel(cosine, 1.5).reflected;
-            let (choice, behind) = (0.25 + 0.5 * part, sine / 1.5);
-            let weight = |part: f64, choice: f64| if mistake == 1 { part } else { part / choice };
-            let glass = json!({"object": "glass", "front": true});
-            let through = json!({"kind": "transmitted", "eta": 1.5, "choice": 1.0 - choice, "weight": weight(1.0 - part, 1.0 - choice)});
-            let back = json!({"kind": "reflected", "choice": choice, "weight": weight(part, choice)});
-            match at % 2 {
-                0 => meets(at, sine, [sine, cosine], [glass, back]),
-                _ => meets(at, sine, [behind, -(1.0 - behind * behind).sqrt()], [glass, through]),
-            }
-        });
-        rays.collect()
+    let lines = |mistake: usize, at: usize| {
+        let sine = 0.04 * at as f64;
+        let cosine = (1.0 - sine * sine).sqrt();
+        let part = fresnel(cosine, 1.5).reflected;
+        let (choice, behind) = (0.25 + 0.5 * part, sine / 1.5);
+        let weight = |part: f64, choice: f64| if mistake == 1 { part } else { part / choice };
+        let glass = json!({"object": "glass", "front": true});
+        let through = json!({"kind": "transmitted", "eta": 1.5, "choice": 1.0 - choice, "weight": weight(1.0 - part, 1.0 - choice)});
+        let back = json!({"kind": "reflected", "choice": choice, "weight": weight(part, choice)});
+        match at % 2 {
+            0 => meets(at, sine, [sine, cosine], [glass, back]),
+            _ => meets(at, sine, [behind, -(1.0 - behind * behind).sqrt()], [glass, through]),
+        }
     };
-    assert_law(&lines, "fresnel", &["the weight is the share itself"]);
+    assert_pixels(1..24, &lines, "fresnel", &["the weight is the share itself"]);
 }
 
 /// Law: Schlick's formula has the cosine in the thinner medium. Oracle: the formula, for rays that leave glass.
 #[test]
 fn schlick_has_the_cosine_outside() {
-    let lines = |mistake: usize| {
-        let rays = (1..12).flat_map(|at| {
-            let inside = 0.05 * at as f64;
-            let sine = 1.5 * inside;
-            let cosine = [(1.0 - sine * sine).sqrt(), (1.0 - inside * inside).sqrt()][mistake];
-            let part = 0.96 * (1.0 - power(1.0 - cosine, 5.0));
-            let glass = json!({"object": "glass", "front": false});
-            let through = json!({"kind": "transmitted", "eta_from": 1.5, "eta_to": 1, "choice": part, "weight": 1});
-            meets(at, inside, [sine, -(1.0 - sine * sine).sqrt()], [glass, through])
-        });
-        rays.collect()
+    let lines = |mistake: usize, at: usize| {
+        let inside = 0.05 * at as f64;
+        let sine = 1.5 * inside;
+        let cosine = [(1.0 - sine * sine).sqrt(), (1.0 - inside * inside).sqrt()][mistake];
+        let part = 0.96 * (1.0 - power(1.0 - cosine, 5.0));
+        let glass = json!({"object": "glass", "front": false});
+        let through = json!({"kind": "transmitted", "eta_from": 1.5, "eta_to": 1, "choice": part, "weight": 1});
+        meets(at, inside, [sine, -(1.0 - sine * sine).sqrt()], [glass, through])
     };
-    assert_law(&lines, "fresnel", &["Schlick's formula has the wrong cosine"]);
+    assert_pixels(1..12, &lines, "fresnel", &["Schlick's formula has the wrong cosine"]);
 }
 
 /// Law: the weight of a mirror is not as the cosine. Oracle: a reflectance, and that times the cosine.
 #[test]
 fn a_mirror_has_no_cosine() {
-    let lines = |mistake: usize| {
-        let rays = (1..12).flat_map(|at| {
-            let sine = 0.08 * at as f64;
-            let cosine = (1.0 - sine * sine).sqrt();
-            let weight = [0.9, 0.9 * cosine][mistake];
-            let ray = json!({"kind": "reflected", "weight": weight});
-            meets(at, sine, [sine, cosine], [json!({}), ray])
-        });
-        rays.collect()
+    let lines = |mistake: usize, at: usize| {
+        let sine = 0.08 * at as f64;
+        let cosine = (1.0 - sine * sine).sqrt();
+        let weight = [0.9, 0.9 * cosine][mistake];
+        let ray = json!({"kind": "reflected", "weight": weight});
+        meets(at, sine, [sine, cosine], [json!({}), ray])
     };
-    assert_law(&lines, "fresnel", &["the weight of a mirror"]);
+    assert_pixels(1..12, &lines, "fresnel", &["the weight of a mirror"]);
 }
 
 /// Law: a mirror shows a lamp that the camera sees. Oracle: what is emitted, and nothing in its place.

@@ -1,8 +1,9 @@
 use std::f64::consts::PI;
 
 use super::laws::traced;
+use super::light::broken_by as broken;
 use groundtruth::math::{Pcg32, cos, sin};
-use rays::{Outcome, RayVerdict, Traced};
+use rays::Traced;
 
 /// Diffuse rays from points of a floor whose cosines are a function of a random number, and that claim the cosine's density.
 fn drawn(cosine: impl Fn(f64) -> f64, seed: impl Fn(usize) -> u64) -> Traced {
@@ -23,14 +24,6 @@ fn drawn(cosine: impl Fn(f64) -> f64, seed: impl Fn(usize) -> u64) -> Traced {
         ));
     }
     traced(&lines)
-}
-
-fn broken(traced: Traced) -> Vec<(&'static str, Option<&'static str>)> {
-    let verdict = RayVerdict::of(traced);
-    verdict
-        .of_outcome(Outcome::Broken)
-        .map(|(law, asked)| (law.name, law.cause(asked.roots())))
-        .collect()
 }
 
 /// Law: directions drawn as claimed are let through, others are not, and what was drawn is named (level 1e-3 for the log).
