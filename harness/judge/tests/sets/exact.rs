@@ -4,7 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use groundtruth::math::Pcg32;
 use judge::sets::{
-    AreaMeans, AreaSums, Design, Divisions, Method, Rank, SumKind, SummedPictures, Watch,
+    AreaMeans, AreaSums, Design, Divisions, Method, Rank, SetsDecision, SumKind, SummedPictures,
+    Watch,
 };
 use judge::verdict::{Answer, Areas};
 use pictures::compare::Picture;
@@ -201,8 +202,8 @@ fn equal_seeds_are_seen_in_every_quarter() {
     }
 }
 
-/// Law: noise that is k times as large, pixel by pixel, has the factor k, inside its interval. Oracle: the difference of each
-/// picture from the mean of all, multiplied.
+/// Law: noise that is k times as large, pixel by pixel, has the factor k, inside its interval; other noise is told, and is no change
+/// of the mean. Oracle: the difference of each picture from the mean of all, multiplied.
 #[test]
 fn the_noise_of_sets_has_its_factor() {
     let random = &mut Pcg32::new(3, 51);
@@ -222,7 +223,11 @@ fn the_noise_of_sets_has_its_factor() {
             Picture::of_radiance(&new, SIZE)
         };
         let after: Vec<Picture> = before.iter().map(turned).collect();
-        let noise = verdict(&before, &after).noise.expect("there is noise");
+        let found = verdict(&before, &after);
+        assert_eq!(found.decision, SetsDecision::Agree, "{found}");
+        let is_changed = found.to_string().contains("it has changed");
+        equal(format!("{factor} times the noise is told"), is_changed, factor != 1.0);
+        let noise = found.noise.expect("there is noise");
         near("noise factor", noise.factor / factor, 1.0, 0.03);
         let [low, high] = noise.interval;
         assert!(low <= factor && factor <= high, "factor {factor}: found {low} to {high}");

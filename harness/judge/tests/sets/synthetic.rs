@@ -1,9 +1,9 @@
 //! Pictures made by formulas: their mean is known, and their noise is of a chosen kind.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use groundtruth::math::{self, Pcg32};
-use judge::sets::{Sets, SetsVerdict, Watch};
+use judge::sets::{Divisions, Sets, SetsDecision, SetsVerdict, Watch};
 use pictures::compare::Picture;
 
 pub const SIZE: [u32; 2] = [32, 40];
@@ -115,6 +115,24 @@ pub fn verdict(before: &[Picture], after: &[Picture]) -> SetsVerdict {
 
 pub fn verdict_of_regions(before: &[Picture], after: &[Picture], regions: &Picture) -> SetsVerdict {
     of(Sets::new([before, after].map(<[Picture]>::to_vec), Some(regions)).expect("one size"))
+}
+
+/// Whether two sets differ. Of sets that agree it is not found out what would have been seen, which takes twenty times as long:
+/// the comparison is interrupted as soon as it tries a division again.
+pub fn differ(before: &[Picture], after: &[Picture]) -> bool {
+    // as many as are tried at most
+    let most = (4.0 / super::LEVEL) as usize;
+    let all = Divisions::sets([before.len(), after.len()], most).weights.len();
+    let (tried, interrupted) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let count = || {
+        if tried.fetch_add(1, Ordering::Relaxed) == all {
+            interrupted.store(true, Ordering::Relaxed);
+        }
+    };
+    let watch = Watch { tried: &count, interrupted: &interrupted };
+    let sets = Sets::new([before, after].map(<[Picture]>::to_vec), None).expect("one size");
+    let found = SetsVerdict::of(sets, super::LEVEL, watch);
+    found.is_some_and(|found| found.decision == SetsDecision::Differ)
 }
 
 /// The verdict at another level.

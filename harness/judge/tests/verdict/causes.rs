@@ -15,7 +15,7 @@ use pictures::compare::Picture;
 use testkit::as_many;
 
 use super::cases::verdict;
-use super::pictures::{films, scene, world};
+use super::pictures::{film, scene};
 
 const STRICTNESS: Strictness = Strictness { level: 0.01, first: 8 };
 
@@ -35,24 +35,24 @@ fn a_known_mistake_is_named() {
         // another mistake, that ambient light is too weak, explains most of the difference
         ("ch14/attenuated-set", "no-ambient"),
     ] {
-        let scene = scene(scene_name, [48; 2], 16);
+        let scene = scene(scene_name, [48; 2], 4);
         let replica = |mistake: &'static Mistake| {
             mistakes::replica(mistake, &scene, Path::new(""), 9_000).expect("it is valid")
         };
-        let film = mistakes::find(made).and_then(replica).expect("it is shown");
-        let verdict = verdict(&scene, &[Picture::of_film(&film)], STRICTNESS);
+        let wrong = mistakes::find(made).and_then(replica).expect("it is shown");
+        let verdict = verdict(&scene, &[Picture::of_film(&wrong)], STRICTNESS);
         let causes = verdict.causes.explained_by.iter();
         let named: Vec<&str> = causes.filter_map(|cause| cause.name).collect();
         assert!(
             verdict.decision == Decision::Differs && named.contains(&made),
             "{made}: {verdict}"
         );
-        let ours = films(&mut world(&scene, 1), 9_000..9_001).remove(0);
+        let ours = film(&scene, 9_000);
         for name in named {
             let forms = mistakes::forms().into_iter().chain(mistakes::find(name));
             let pictures = forms.filter(|it| it.name == name).filter_map(replica);
-            let nearest = pictures.map(|other| apart(&other, &film)).fold(f64::MAX, f64::min);
-            let change = apart(&film, &ours);
+            let nearest = pictures.map(|other| apart(&other, &wrong)).fold(f64::MAX, f64::min);
+            let change = apart(&wrong, &ours);
             assert!(nearest <= 0.2 * change, "{name} for {made}: {nearest:e} away of {change:e}");
         }
     }
@@ -60,7 +60,7 @@ fn a_known_mistake_is_named() {
 
 /// The verdict on a picture of another scene with another seed.
 fn verdict_on(scene: &Scene, other: &Scene) -> Verdict {
-    let film = films(&mut world(other, 1), std::iter::once(77)).remove(0);
+    let film = film(other, 77);
     verdict(scene, &[Picture::of_film(&film)], STRICTNESS)
 }
 
@@ -226,7 +226,7 @@ fn a_changed_number_is_told() {
         let right = two_balls();
         let mut other = right.clone();
         change(&mut other);
-        let film = films(&mut world(&other, 1), 9_000..9_001).remove(0);
+        let film = film(&other, 9_000);
         let causes = verdict(&right, &[Picture::of_film(&film)], STRICTNESS).causes;
         let told = causes.explained_by.iter().find(|cause| cause.words.starts_with(words));
         let told = told.unwrap_or_else(|| panic!("{words}: {causes:?}"));

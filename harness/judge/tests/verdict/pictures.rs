@@ -26,6 +26,11 @@ pub fn world(scene: &Scene, seed: u64) -> World {
     World::build_seeded(scene, Path::new(""), seed).expect("gallery scenes are valid")
 }
 
+/// The picture of this seed.
+pub fn film(scene: &Scene, seed: u64) -> Film {
+    render::render(&world(scene, seed))
+}
+
 /// The pictures of these seeds.
 pub fn films(world: &mut World, seeds: impl Iterator<Item = u64>) -> Vec<Film> {
     let film = |seed| {

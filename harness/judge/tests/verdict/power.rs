@@ -6,7 +6,7 @@ use groundtruth::render;
 use judge::verdict::{Areas, Decision};
 use pictures::compare;
 
-use super::pictures::{films, scene, world};
+use super::pictures::{scene, world};
 use super::shared::{FLOATS, Shared, mapped};
 
 /// The picture of a program with a defect, from one of our films and its seed.
@@ -55,7 +55,8 @@ fn found(name: &str, [side, samples]: [u32; 2], seeds: u64) -> Vec<(&'static str
     let defects = defects(name, [side, samples], &shared.areas);
     let mut found = vec![0; defects.len()];
     for seed in 0..seeds {
-        let film = films(&mut world, std::iter::once(50_000 + seed)).remove(0);
+        world.reseed(50_000 + seed);
+        let film = render::render(&world);
         for ((_, defect), found) in defects.iter().zip(&mut found) {
             let theirs = defect(&film, 50_000 + seed);
             let decision = shared.judged(&world, &theirs, FLOATS, seed).decision;

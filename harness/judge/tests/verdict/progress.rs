@@ -7,7 +7,7 @@ use judge::verdict::{Decision, Progress, Verdict};
 use pictures::compare::Picture;
 
 use super::cases::{STRICTNESS, watched};
-use super::pictures::{films, scene, world};
+use super::pictures::{film, scene};
 
 /// What was told, and the number of pictures of ours that were rendered by then.
 type Told = Vec<(usize, String)>;
@@ -29,14 +29,14 @@ fn judged(scene: &Scene, theirs: &Picture) -> (Verdict, Told, usize) {
 }
 
 fn theirs(scene: &Scene, gain: f32) -> Picture {
-    let film = films(&mut world(scene, 1), std::iter::once(500)).remove(0);
+    let film = film(scene, 500);
     let mut picture = Picture::of_film(&film);
     picture.values.iter_mut().flatten().for_each(|value| *value *= gain);
     picture
 }
 
 fn noisy() -> Scene {
-    scene("ch18/rectangle", [48; 2], 4)
+    scene("ch18/rectangle", [24; 2], 4)
 }
 
 fn count(told: &Told, words: &str) -> usize {

@@ -11,7 +11,7 @@ use testkit::as_many;
 
 use super::cases::verdict;
 use super::noise::normal;
-use super::pictures::{films, scene, world};
+use super::pictures::{film, films, scene, world};
 
 /// Law: of correct pictures in 8 bits whose noise is a tenth of a step, or nearly half of one, few are called wrong, dark
 /// or bright. Oracle: the binomial distribution: of 240 at level 5 %, more than 24 have a probability below 5e-4.
@@ -53,7 +53,7 @@ fn noise_below_a_step_is_no_difference() {
 /// A scene without noise, its picture, and the verdict at level 5 %.
 fn without_noise() -> (Scene, Film) {
     let scene = scene("ch14/set", [32; 2], 1);
-    let film = films(&mut world(&scene, 1), std::iter::once(9)).remove(0);
+    let film = film(&scene, 9);
     (scene, film)
 }
 
@@ -84,7 +84,7 @@ fn negative_values_decide() {
     );
     let mut noisy = super::pictures::scene("ch18/rectangle", [32; 2], 4);
     noisy.image.samples = 4;
-    let film = films(&mut world(&noisy, 1), std::iter::once(900)).remove(0);
+    let film = super::pictures::film(&noisy, 900);
     let mut theirs = Picture::of_film(&film);
     theirs.values[33][2] = -1.0;
     for pictures in [vec![theirs.clone()], vec![theirs; 3]] {

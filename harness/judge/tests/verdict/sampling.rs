@@ -10,7 +10,7 @@ use judge::verdict::{self, Decision};
 use pictures::compare::Picture;
 
 use super::cases::{STRICTNESS, verdict};
-use super::pictures::{films, scene, with_sampler, world};
+use super::pictures::{film, scene, with_sampler};
 use super::shared::mapped;
 
 const SIDE: u32 = 15;
@@ -35,7 +35,7 @@ fn seen(samples: u32, side: u32, down: f64) -> Scene {
 }
 
 fn theirs(scene: &Scene) -> Film {
-    films(&mut world(scene, 1), std::iter::once(500)).remove(0)
+    film(scene, 500)
 }
 
 fn judged(scene: &Scene, theirs: &Film) -> verdict::Verdict {

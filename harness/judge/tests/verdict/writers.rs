@@ -12,7 +12,7 @@ use pictures::compare::{Comparison, Picture, Transfer};
 use testkit::as_many;
 
 use super::cases::verdict;
-use super::pictures::{films, scene, world};
+use super::pictures::{film, films, scene, world};
 use super::power::half_a_pixel_off;
 use super::shared::{Shared, mapped};
 use crate::verbs::equal;
@@ -139,7 +139,7 @@ fn an_integer_stands_for_the_middle_of_its_values() {
 /// films of twelve scenes and three seeds more than 4 are far out for a writer with a probability of 3e-5.
 #[test]
 fn pictures_agree_whoever_wrote_them() {
-    let (scenes, side, seeds) = as_many((&SCENES[..2], 24, 1), (&SCENES[..], 48, 3));
+    let (scenes, side, seeds) = as_many((&SCENES[..2], 16, 1), (&SCENES[..], 48, 3));
     let alarms = alarms(scenes, side, seeds);
     assert!(alarms.iter().all(|alarms| *alarms <= seeds + 1), "{alarms:?}");
 }
@@ -160,9 +160,9 @@ fn all_writers() -> Vec<Writer> {
 fn every_writer_of_a_right_picture_agrees() {
     let mut wrong = Vec::new();
     for scene_name in ["ch14/out-of-gamut", "ch15/page-one"] {
-        let mut ours = world(&scene(scene_name, [16; 2], 1), 1);
+        let scene = scene(scene_name, [16; 2], 1);
+        let (ours, film) = (world(&scene, 1), film(&scene, 50_000));
         let shared = Shared::usual(scene_name, [16, 1, 8]);
-        let film = films(&mut ours, std::iter::once(50_000)).remove(0);
         let differs = |writer: &Writer| shared.differs(&ours, &written(&film, *writer), 1);
         let all = all_writers().into_iter().filter(differs);
         wrong.extend(all.map(|writer| format!("{scene_name}: {}", name(writer))));
@@ -175,9 +175,9 @@ fn every_writer_of_a_right_picture_agrees() {
 #[test]
 fn defects_are_found_whoever_wrote_the_picture() {
     let (name_of_scene, side) = ("ch14/set", 32);
-    let mut ours = world(&scene(name_of_scene, [side; 2], 1), 1);
+    let scene = scene(name_of_scene, [side; 2], 1);
+    let (ours, film) = (world(&scene, 1), film(&scene, 50_000));
     let shared = Shared::usual(name_of_scene, [side, 1, 8]);
-    let film = films(&mut ours, std::iter::once(50_000)).remove(0);
     let brighter = mapped(&film, |_, color| 1.01 * color);
     let shifted = half_a_pixel_off(name_of_scene, [side, 1], 50_000);
     for writer in writers().into_iter().step_by(as_many(3, 1)) {
@@ -194,9 +194,13 @@ fn defects_are_found_whoever_wrote_the_picture() {
 fn every_scene_has_the_values_of_its_own_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let (mut beyond, mut negative) = (0, 0);
-    for entry in gallery::scenes() {
+    // one of each chapter, and those whose filters have negative lobes
+    let is_tried = |(index, entry): &(usize, gallery::Entry)| {
+        index % as_many(4, 1) == 0 || entry.name.contains("mitchell")
+    };
+    for (_, entry) in gallery::scenes().enumerate().filter(is_tried) {
         let scene = scene(entry.name, [12, 8], 4);
-        let film = films(&mut world(&scene, 1), std::iter::once(1)).remove(0);
+        let film = film(&scene, 1);
         beyond += usize::from(film.pixels().iter().any(|color| color.max() > 1.0));
         negative += usize::from(
             film.pixels().iter().any(|color| color.to_array().iter().any(|x| *x < 0.0)),
@@ -216,7 +220,7 @@ fn every_scene_has_the_values_of_its_own_file() {
         }
     }
     assert!(
-        beyond > 20 && negative > 0,
+        beyond > as_many(5, 20) && negative > 0,
         "{beyond} scenes with bright colours, {negative} negative"
     );
 }
@@ -279,9 +283,9 @@ const OTHERS: [WayToStore; 7] = [
 #[test]
 fn honest_pictures_agree_or_are_told_what_was_done_to_them() {
     let mut wrong = Vec::new();
-    for (scene_name, samples) in [("ch14/set", 1), ("ch18/rectangle", 9)] {
-        let scene = scene(scene_name, [48, 36], samples);
-        let film = films(&mut world(&scene, 1), std::iter::once(40)).remove(0);
+    for (scene_name, samples) in [("ch14/set", 1), ("ch18/rectangle", 4)] {
+        let scene = scene(scene_name, as_many([32, 24], [48, 36]), samples);
+        let film = film(&scene, 40);
         let right = Picture::of_film(&film);
         for (way, store) in OTHERS {
             let strictness = Strictness { level: 0.01, first: 8 };
@@ -298,8 +302,8 @@ fn honest_pictures_agree_or_are_told_what_was_done_to_them() {
 /// Law: the curve of a picture in 8 bits is named, and for sRGB the quantiser. Oracle: those that it was written with.
 #[test]
 fn transfer_functions_are_assumed_and_named() {
-    let scene = scene("ch18/rectangle", [48; 2], 16);
-    let film = films(&mut world(&scene, 1), std::iter::once(500)).remove(0);
+    let scene = scene("ch18/rectangle", as_many([32; 2], [48; 2]), as_many(4, 16));
+    let film = film(&scene, 500);
     for (curve, quantiser, expected) in [
         (0, 0, "linear"),
         (1, 0, "gamma 1.8"),
