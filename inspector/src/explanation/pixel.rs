@@ -150,17 +150,11 @@ pub fn theirs(
     }
 }
 
-/// The explanation of the standard error.
-const STANDARD_ERROR: &str =
-    "Of the mean, as if the samples were independent; well-spread ones are nearer";
-
 /// A line of the sum's list.
 enum Line {
     Words(&'static str),
     Numbers(String),
-    Error(Rgb),
-    /// The sample of least or greatest radiance, which a click chooses.
-    Extreme(&'static str, u32),
+    Spread,
     Sample(u32),
 }
 
@@ -198,11 +192,7 @@ impl SumList<'_> {
             lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
         }
         if self.answer.samples_per_pixel > 1 {
-            let statistics = &self.answer.statistics;
-            let extremes = [("least", statistics.least), ("greatest", statistics.greatest)];
-            lines.extend(statistics.standard_error.map(Line::Error));
-            lines.extend(extremes.map(|(name, sample)| Line::Extreme(name, sample)));
-            lines.push(Line::Words("samples with their shares, by value"));
+            lines.extend([Line::Spread, Line::Words("samples with their shares, by value")]);
             lines.extend(sorted(self.answer).into_iter().map(Line::Sample));
         }
         lines
@@ -219,16 +209,24 @@ impl SumList<'_> {
                 let small = RichText::new(text).monospace().size(11.5);
                 ui.label(small).on_hover_text(text);
             }
-            Line::Error(error) => {
-                ui.weak(format!("standard error {}", short(*error))).on_hover_text(STANDARD_ERROR);
-            }
-            Line::Extreme(name, index) => {
-                let radiance = short(self.answer.radiances[*index as usize]);
-                if ui.link(format!("{name} {radiance}, sample {index}")).clicked() {
-                    *self.chosen = *index;
-                }
-            }
+            Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
             Line::Sample(index) => self.sample(ui, *index),
+        }
+    }
+
+    /// Shows standard error, least and greatest; a click on the last two chooses that sample.
+    fn spread(&mut self, ui: &mut Ui) {
+        let statistics = &self.answer.statistics;
+        if let Some(error) = statistics.standard_error {
+            let hint =
+                "Of the mean, as if the samples were independent; well-spread ones are nearer";
+            ui.weak(format!("standard error {}", short(error))).on_hover_text(hint);
+        }
+        for (name, index) in [("least", statistics.least), ("greatest", statistics.greatest)] {
+            let link = ui.link(format!("{name}: sample {index}"));
+            if link.on_hover_text(short(self.answer.radiances[index as usize])).clicked() {
+                *self.chosen = index;
+            }
         }
     }
 

@@ -89,7 +89,7 @@ fn a_sample_is_one_click_from_its_tree() {
     // those in view
     let shown: Vec<f32> = values.iter().map_while(|&(index, _)| height(&window, index)).collect();
     assert!(shown.len() >= 3 && shown.is_sorted(), "{shown:?}");
-    let greatest = text_with(&window, "greatest ");
+    let greatest = text_with(&window, "greatest: ");
     assert!(greatest.ends_with(&format!("sample {}", values[0].0)), "{greatest}");
     for &(index, _) in &values[..2] {
         window.get_by_label_contains(&label(index)).click();

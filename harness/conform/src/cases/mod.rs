@@ -14,7 +14,7 @@ use toml::Table;
 
 use super::family::Family;
 use super::radiance::NAMER;
-use super::values::{Rules, WHOLE};
+use super::values::{self, Rules, WHOLE};
 use judges::judge;
 use kinds::kinds;
 use notation::Drawing;
@@ -183,7 +183,7 @@ impl Entry {
             share: self.fields.get("cases").and_then(|share| json!(share).as_f64()).unwrap_or(1.0),
             cases: Box::new(move |seed, n| (0..n).map(|index| case(seed, index)).collect()),
             judge,
-            namer: in_scene.then_some(NAMER),
+            namer: Some(if in_scene { NAMER } else { values::NAMER }),
             is_shrunk: self.fields.get("shrunk").and_then(toml::Value::as_bool).unwrap_or(true),
         }
     }

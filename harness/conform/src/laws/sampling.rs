@@ -58,7 +58,8 @@ const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
 /// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
-/// (Pearson): so one sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a
+/// (Pearson), nor are x and y within the cells of jittered ones: so one sample set in every pixel, a shuffle that favours some,
+/// or one random number for both shows (Suffern, ch. 5). The case is a
 /// `samples` with `n` and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let asked = &case["samples"];
@@ -96,7 +97,7 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
             "two numbers of at least 0 and below 1",
         ));
     }
-    let level = sidak(LEVEL, 3 * TESTS);
+    let level = sidak(LEVEL, 4 * TESTS);
     if let Some(text) = unevenness(&points, level) {
         let are_alike = points.iter().all(|point| *point == points[0]);
         let judged = Judgement::wrong("uneven", f64::INFINITY, text);
@@ -116,6 +117,18 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
             Some(_) => continue,
         };
         return Ok(Judgement::wrong("pixels", f64::INFINITY, text));
+    }
+    let tag = asked["sampler"].as_object().and_then(|kind| kind.keys().next().cloned());
+    let side = (n as f64).sqrt();
+    if strata_of(tag.as_deref().unwrap_or_default()) == Strata::Cells {
+        let [x, y] = [0, 1].map(|axis| {
+            points.iter().map(|point| (point[axis] * side).fract()).collect::<Vec<f64>>()
+        });
+        if let Some(correlation) = pearson(&x, &y).filter(|it| it.p <= level) {
+            let r = correlation.r;
+            let text = format!("x and y independent within a cell: their correlation is {r:.2}");
+            return Ok(Judgement::wrong("cells", f64::INFINITY, text));
+        }
     }
     Ok(Judgement::Right(0.0))
 }

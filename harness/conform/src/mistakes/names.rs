@@ -79,8 +79,11 @@ pub fn agree(rows: &mut [Row]) {
     let failed: Vec<&Row> = rows.iter().filter(|row| row.count(Status::Wrong) > row.fair).collect();
     // some rules have no numbers to compare
     let may_be = |row: &&Row| row.is_left_handed || row.names.is_empty();
-    let is_left_handed = failed.iter().any(|row| row.is_left_handed) && failed.iter().all(may_be);
     let count = failed.len();
+    // a single family may have another cause
+    let is_left_handed = failed.iter().any(|row| row.is_left_handed)
+        && failed.iter().all(may_be)
+        && (count > 1 || failed[0].names.is_empty());
     let is_scene = |row: &Row| row.about.starts_with("scenes/");
     let scenes = failed.iter().filter(|row| is_scene(row));
     let nameless = scenes.clone().filter(|row| row.names.is_empty()).count();

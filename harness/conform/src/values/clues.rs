@@ -56,10 +56,22 @@ fn name(question: &Value) -> &str {
 
 /// The answers of programs with one mistake. Those to whole scenes are looked for elsewhere.
 fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
+    let by_code = coded(name(question)).questions.iter().map(|(mistake, _)| *mistake);
+    let all = by_code.chain(mistakes::OF_FUNCTIONS.iter());
+    all.flat_map(|it| with(it, question, right).into_iter().map(move |answer| (it, answer)))
+        .collect()
+}
+
+/// The answers of programs with this mistake, one for each way to make it.
+fn with(mistake: &Mistake, question: &Value, right: &Value) -> Vec<Value> {
     let name = name(question);
     let data = &question[name];
     if data.get("scene").is_some() || !data.is_object() {
         return Vec::new();
+    }
+    if let Some((_, change)) = coded(name).questions.iter().find(|(coded, _)| *coded == mistake) {
+        let mut changed = question.clone();
+        return change(&mut changed).and_then(|()| ours(&changed).ok()).into_iter().collect();
     }
     let mut told = data.clone();
     told["answer"] = right.clone();
@@ -67,16 +79,35 @@ fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
         let answer = changed.as_object_mut()?.remove("answer")?;
         if changed == *data { Some(answer) } else { ours(&json!({name: changed})).ok() }
     };
-    let of = |mistake: &'static Mistake| {
-        let ways = mistake.known().ways(&told).into_iter().flatten();
-        ways.filter_map(answered).map(move |answer| (mistake, answer))
-    };
-    let by_code = coded(name).questions.iter().filter_map(|(mistake, change)| {
-        let mut changed = question.clone();
-        change(&mut changed)?;
-        Some((*mistake, ours(&changed).ok()?))
-    });
-    by_code.chain(mistakes::OF_FUNCTIONS.iter().flat_map(of)).collect()
+    let ways = mistake.known().ways(&told).into_iter().flatten();
+    ways.filter_map(answered).collect()
+}
+
+/// Whether all that a mistake may give here is another answer than theirs, which is right, in the fields that it has.
+pub fn refutes((question, theirs): &(Value, Value), mistake: &'static Mistake) -> bool {
+    let Ok(right) = ours(question) else { return false };
+    let others = with(mistake, question, &right);
+    let differs = |other: &Value| !is_alike(other, &right, theirs);
+    !others.is_empty() && others.iter().all(differs)
+}
+
+/// Whether two answers have the same numbers and words in the fields that a third has.
+fn is_alike(a: &Value, b: &Value, has: &Value) -> bool {
+    match (a, b, has) {
+        (Value::Object(a), Value::Object(b), Value::Object(has)) => {
+            has.iter().all(|(field, has)| match (a.get(field), b.get(field)) {
+                (Some(a), Some(b)) => is_alike(a, b, has),
+                _ => true,
+            })
+        }
+        _ => match (
+            numbers(a).or(number(a).map(|x| vec![x])),
+            numbers(b).or(number(b).map(|x| vec![x])),
+        ) {
+            (Some(a), Some(b)) => same(&a, &b),
+            _ => a == b,
+        },
+    }
 }
 
 /// Whether the three numbers of a field are red, green and blue.

@@ -63,6 +63,39 @@ fn left_handed_axes_are_no_mistake() {
     assert!(!card.to_string().contains("left-handed"), "{card}");
 }
 
+/// Law: eyes that are exchanged are no left-handed axes, though each ray is mirrored: the rays of one eye are right there. Oracle:
+/// our answer for the other eye.
+#[test]
+fn exchanged_eyes_are_not_left_handed() {
+    fn of_other_eye(question: &Value, _: Value) -> Value {
+        let mut asked = question.clone();
+        let eye = &mut asked["camera_ray"]["eye"];
+        *eye = if *eye == "left" { "right" } else { "left" }.into();
+        ours(&asked).unwrap_or_default()
+    }
+    let words = ["camera_ray.stereo"];
+    let card = card_with(&mut Altered(of_other_eye), &words, Profile::Careful, 24, false);
+    let verdict = verdict(&card, false);
+    assert!(verdict.contains("the left eye for the right one"), "{verdict}");
+}
+
+/// Law: a mistake that would have changed right answers is not named, though it gives all the wrong ones. Oracle: the concentric
+/// map with 1 − u for u in its second sector alone.
+#[test]
+fn right_answers_refute_a_name() {
+    fn mirrored(question: &Value, answer: Value) -> Value {
+        let u = ask::numbers(&question["map"]["u"]).unwrap_or_default();
+        let [x, y] = [2.0 * u[0] - 1.0, 2.0 * u[1] - 1.0];
+        let mut asked = question.clone();
+        asked["map"]["u"][0] = json!(1.0 - u[0]);
+        if y > x.abs() { ours(&asked).unwrap_or_default() } else { answer }
+    }
+    let words = ["map.disk.values"];
+    let card = card_with(&mut Altered(mirrored), &words, Profile::Careful, 48, false);
+    assert!(card.rows[0].count(Status::Wrong) > 3, "{card}");
+    assert!(!card.to_string().contains("1 − u for u"), "{card}");
+}
+
 /// Law: an answer that has only some of its parts is judged by those, and the card names what is missing; without any part
 /// that is needed it is wrong. Oracle: our answers without a field.
 #[test]

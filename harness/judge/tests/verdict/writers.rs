@@ -302,7 +302,7 @@ fn honest_pictures_agree_or_are_told_what_was_done_to_them() {
 /// Law: the curve of a picture in 8 bits is named, and for sRGB the quantiser. Oracle: those that it was written with.
 #[test]
 fn transfer_functions_are_assumed_and_named() {
-    let scene = scene("ch18/rectangle", as_many([32; 2], [48; 2]), as_many(4, 16));
+    let scene = scene("ch18/rectangle", [48; 2], 16);
     let film = film(&scene, 500);
     for (curve, quantiser, expected) in [
         (0, 0, "linear"),
