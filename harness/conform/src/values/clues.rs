@@ -56,10 +56,16 @@ fn name(question: &Value) -> &str {
 
 /// The answers of programs with one mistake. Those to whole scenes are looked for elsewhere.
 fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
-    let by_code = coded(name(question)).questions.iter().map(|(mistake, _)| *mistake);
-    let all = by_code.chain(mistakes::OF_FUNCTIONS.iter());
-    all.flat_map(|it| with(it, question, right).into_iter().map(move |answer| (it, answer)))
-        .collect()
+    let mut all: Vec<&'static Mistake> = mistakes::OF_FUNCTIONS.iter().collect();
+    for (mistake, _) in coded(name(question)).questions {
+        if !all.contains(mistake) {
+            all.push(mistake);
+        }
+    }
+    let of = |it: &'static Mistake| {
+        with(it, question, right).into_iter().map(move |answer| (it, answer))
+    };
+    all.into_iter().flat_map(of).collect()
 }
 
 /// The answers of programs with this mistake, one for each way to make it.
@@ -69,10 +75,12 @@ fn with(mistake: &Mistake, question: &Value, right: &Value) -> Vec<Value> {
     if data.get("scene").is_some() || !data.is_object() {
         return Vec::new();
     }
-    if let Some((_, change)) = coded(name).questions.iter().find(|(coded, _)| *coded == mistake) {
+    let by_code = coded(name).questions.iter().filter(|(coded, _)| *coded == mistake);
+    let by_code = by_code.filter_map(|(_, change)| {
         let mut changed = question.clone();
-        return change(&mut changed).and_then(|()| ours(&changed).ok()).into_iter().collect();
-    }
+        change(&mut changed)?;
+        ours(&changed).ok()
+    });
     let mut told = data.clone();
     told["answer"] = right.clone();
     let answered = |mut changed: Value| {
@@ -80,15 +88,16 @@ fn with(mistake: &Mistake, question: &Value, right: &Value) -> Vec<Value> {
         if changed == *data { Some(answer) } else { ours(&json!({name: changed})).ok() }
     };
     let ways = mistake.known().ways(&told).into_iter().flatten();
-    ways.filter_map(answered).collect()
+    by_code.chain(ways.filter_map(answered)).collect()
 }
 
 /// Whether all that a mistake may give here is another answer than theirs, which is right, in the fields that it has.
 pub fn refutes((question, theirs): &(Value, Value), mistake: &'static Mistake) -> bool {
     let Ok(right) = ours(question) else { return false };
+    let is_of_fields = coded(name(question)).answers.iter().any(|(coded, _)| *coded == mistake);
     let others = with(mistake, question, &right);
     let differs = |other: &Value| !is_alike(other, &right, theirs);
-    !others.is_empty() && others.iter().all(differs)
+    !is_of_fields && !others.is_empty() && others.iter().all(differs)
 }
 
 /// Whether two answers have the same numbers and words in the fields that a third has.
