@@ -48,6 +48,12 @@ pub fn strata_of(tag: &str) -> Strata {
     }
 }
 
+/// The strata of the sampler that is asked for.
+fn strata_asked(asked: &Value) -> Strata {
+    let tag = asked["sampler"].as_object().and_then(|kind| kind.keys().next());
+    strata_of(tag.map_or("", String::as_str))
+}
+
 /// Pixels whose first draws are looked at.
 const PIXELS: u64 = 400;
 /// Cells of the square along an axis.
@@ -58,8 +64,8 @@ const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
 /// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
-/// (Pearson), nor are x and y within the cells of jittered ones: so one sample set in every pixel, a shuffle that favours some,
-/// or one random number for both shows (Suffern, ch. 5). The case is a
+/// (Pearson). Within the cells of jittered points, x and y are not correlated, either. So one sample set in every pixel shows, and
+/// so do a shuffle that favours some points and one random number for both coordinates (Suffern, ch. 5). The case is a
 /// `samples` with `n` and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let asked = &case["samples"];
@@ -118,9 +124,8 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
         };
         return Ok(Judgement::wrong("pixels", f64::INFINITY, text));
     }
-    let tag = asked["sampler"].as_object().and_then(|kind| kind.keys().next().cloned());
     let side = (n as f64).sqrt();
-    if strata_of(tag.as_deref().unwrap_or_default()) == Strata::Cells {
+    if strata_asked(asked) == Strata::Cells {
         let [x, y] = [0, 1].map(|axis| {
             points.iter().map(|point| (point[axis] * side).fract()).collect::<Vec<f64>>()
         });
@@ -173,8 +178,7 @@ pub fn stratified(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome 
 /// Sets of points, as many as expected.
 fn judge_sets(answer: &Value, asked: &Value, expected: u64) -> Judgement {
     let Some(n) = asked["n"].as_u64() else { return Judgement::Undecided };
-    let tag = asked["sampler"].as_object().and_then(|kind| kind.keys().next().cloned());
-    let strata = strata_of(tag.as_deref().unwrap_or_default());
+    let strata = strata_asked(asked);
     let side = (n as f64).sqrt().round() as usize;
     let Some(sets) = answer.as_array() else {
         return Judgement::wrong("no list of sets", f64::INFINITY, "a list of sets of points");

@@ -80,7 +80,7 @@ pub fn agree(rows: &mut [Row]) {
     // some rules have no numbers to compare
     let may_be = |row: &&Row| row.is_left_handed || row.names.is_empty();
     let count = failed.len();
-    // a single family may have another cause
+    // where one family alone failed, a mistake that explains it is likelier
     let is_left_handed = failed.iter().any(|row| row.is_left_handed)
         && failed.iter().all(may_be)
         && (count > 1 || failed[0].names.is_empty());

@@ -23,8 +23,7 @@ pub fn of_numbers(
         true => mistakes::clues_of_color(theirs, right),
         false => mistakes::clues(theirs, right),
     };
-    let of_leaf =
-        |answer: &Value| leaf.of(answer).and_then(|it| number(it).map(|x| vec![x]).or(numbers(it)));
+    let of_leaf = |answer: &Value| leaf.of(answer).and_then(flat);
     let by_handedness =
         handed::answers(question, answer).iter().filter_map(of_leaf).collect::<Vec<_>>();
     if by_handedness.iter().any(|other| same(theirs, other) && !same(right, other)) {
@@ -100,6 +99,11 @@ pub fn refutes((question, theirs): &(Value, Value), mistake: &'static Mistake) -
     !is_of_fields && !others.is_empty() && others.iter().all(differs)
 }
 
+/// A number, or the numbers of a list.
+fn flat(value: &Value) -> Option<Vec<f64>> {
+    number(value).map(|x| vec![x]).or(numbers(value))
+}
+
 /// Whether two answers have the same numbers and words in the fields that a third has.
 fn is_alike(a: &Value, b: &Value, has: &Value) -> bool {
     match (a, b, has) {
@@ -109,10 +113,7 @@ fn is_alike(a: &Value, b: &Value, has: &Value) -> bool {
                 _ => true,
             })
         }
-        _ => match (
-            numbers(a).or(number(a).map(|x| vec![x])),
-            numbers(b).or(number(b).map(|x| vec![x])),
-        ) {
+        _ => match (flat(a), flat(b)) {
             (Some(a), Some(b)) => same(&a, &b),
             _ => a == b,
         },

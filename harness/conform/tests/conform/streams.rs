@@ -25,6 +25,15 @@ fn one_sample_set_in_every_pixel_is_found() {
 }
 
 #[test]
+fn one_random_number_for_x_and_y_is_found() {
+    is_found(&["samples.jittered.stream"], "cells", |question, answer| {
+        let side = data(question)["n"].as_f64().unwrap_or(0.0).sqrt();
+        let [x, y] = [0, 1].map(|i| side * answer[i].as_f64().unwrap_or(0.0));
+        json!([x / side, (y.floor() + x.fract()) / side])
+    });
+}
+
+#[test]
 fn a_draw_that_comes_twice_is_found() {
     fn twice(question: &Value, _: Value) -> Value {
         instead(question, |data| {
