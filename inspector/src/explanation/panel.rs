@@ -80,20 +80,28 @@ impl Panel {
         let whole = ui.available_rect_before_wrap();
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
         let head = egui::Panel::top("pixel").frame(inner);
-        let head = head.show(ui, |ui| self.head(ui, selection, &answer, shown)).inner;
+        head.show(ui, |ui| self.head(ui, selection, &answer, shown));
+        let head = ui.available_rect_before_wrap().top();
         let sample = sample_of(&answer, selection.shown_sample());
-        let top = ui.available_rect_before_wrap().top();
         let needed = head + BESIDE_HEIGHT - whole.top() + self.tree_height;
         let [above, below] = splits.show_lower(ui, whole, needed);
-        let (above, margin) = (above.with_min_y(top.min(above.bottom())), vec2(0.0, 4.0));
-        let height = part(ui, "tree", above, margin, |ui| match sample {
-            Some(sample) => {
-                let has_legend = whole.height() > LEGEND_MIN_HEIGHT;
-                sample_tree(ui, &mut selection.tree, sample, (shown.tone, has_legend))
+        let (above, margin) = (above.with_min_y(head.min(above.bottom())), vec2(0.0, 4.0));
+        let height = part(ui, "tree", above, margin, |ui| {
+            // below the tree, whose rows stay where they are
+            if shown.theirs.is_some() || selection.pinned_beside().is_some() {
+                let lines = egui::Panel::bottom("beside").min_size(0.0).frame(Frame::new());
+                let lines = lines.show_separator_line(false);
+                lines.show(ui, |ui| beside_lines(ui, selection, &answer, shown));
             }
-            None => {
-                ui.spinner();
-                self.tree_height
+            match sample {
+                Some(sample) => {
+                    let has_legend = whole.height() > LEGEND_MIN_HEIGHT;
+                    sample_tree(ui, &mut selection.tree, sample, (shown.tone, has_legend))
+                }
+                None => {
+                    ui.spinner();
+                    self.tree_height
+                }
             }
         });
         if height != self.tree_height {
@@ -237,14 +245,14 @@ impl Panel {
         selection.tree.hovered = hovered;
     }
 
-    /// Shows the pixel and its sum, and what is beside it; returns where the sum ends.
+    /// Shows the pixel and its sum.
     fn head(
         &mut self,
         ui: &mut Ui,
         selection: &mut Selection,
         answer: &PixelExplanation,
         shown: &Shown<'_>,
-    ) -> f32 {
+    ) {
         let ([x, y], last) = (answer.pixel, answer.samples_per_pixel - 1);
         let is_narrow = ui.available_width() < ONE_ROW_MIN_WIDTH;
         ui.horizontal(|ui| {
@@ -288,28 +296,29 @@ impl Panel {
             ui.weak(note);
         }
         pixel::sum(ui, answer, shown);
-        let end = ui.cursor().top();
-        if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
-            let other = selection.beside.explanation().filter(|_| theirs.is_twin());
-            let explained = match theirs.explained() {
-                Some(_) => [other, Some(answer)],
-                None => [Some(answer), other],
-            };
-            let radiance =
-                |it: &PixelExplanation| (it.pixel == answer.pixel).then_some(it.radiance);
-            let explained = explained.map(|it| it.and_then(radiance));
-            pixel::theirs(ui, answer.pixel, (theirs, explained), shown);
-        }
-        let beside = selection.beside.explanation();
-        let pinned = beside.filter(|it| Some(it.pixel) == selection.pinned_beside());
-        if let Some(PixelExplanation { pixel: [x, y], radiance, .. }) = pinned {
-            ui.horizontal_wrapped(|ui| {
-                swatch(ui, display::color(shown.tone, *radiance));
-                let text = format!("pinned ({x}, {y}): {}", short(*radiance));
-                ui.label(RichText::new(text).monospace().size(12.0));
-            });
-        }
-        end
+    }
+}
+
+/// Shows the pixel in the other picture, or the pinned one.
+fn beside_lines(ui: &mut Ui, selection: &Selection, answer: &PixelExplanation, shown: &Shown<'_>) {
+    if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
+        let other = selection.beside.explanation().filter(|_| theirs.is_twin());
+        let explained = match theirs.explained() {
+            Some(_) => [other, Some(answer)],
+            None => [Some(answer), other],
+        };
+        let radiance = |it: &PixelExplanation| (it.pixel == answer.pixel).then_some(it.radiance);
+        let explained = explained.map(|it| it.and_then(radiance));
+        pixel::theirs(ui, answer.pixel, (theirs, explained), shown);
+    }
+    let beside = selection.beside.explanation();
+    let pinned = beside.filter(|it| Some(it.pixel) == selection.pinned_beside());
+    if let Some(PixelExplanation { pixel: [x, y], radiance, .. }) = pinned {
+        ui.horizontal_wrapped(|ui| {
+            swatch(ui, display::color(shown.tone, *radiance));
+            let text = format!("pinned ({x}, {y}): {}", short(*radiance));
+            ui.label(RichText::new(text).monospace().size(12.0));
+        });
     }
 }
 
