@@ -14,8 +14,8 @@ use groundtruth::math::{UNIT_ROUNDOFF, Vector};
 use oracle::{Root, Shape};
 
 /// Whether something is in the way.
-pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile, _: &Rules) -> Judgement {
-    let Some(question) = IntersectQuestion::of(question) else { return Judgement::Undecided };
+pub fn judge_occluded(asked: &Value, answer: &Value, profile: Profile, _: &Rules) -> Judgement {
+    let Some(question) = IntersectQuestion::of(asked) else { return Judgement::Undecided };
     let Some(exact) = question.answer() else { return Judgement::Undecided };
     if !question.is_decided(&exact, profile) {
         return Judgement::Undecided;
@@ -26,7 +26,7 @@ pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile, _: &Ru
         Some(false) => Judgement::wrong("missed", f64::INFINITY, "true").with([&mistakes::MISSED]),
         Some(true) => {
             let judgement = Judgement::wrong("no hit is there", f64::INFINITY, "false");
-            judgement.with(names::of_occlusion(&question))
+            judgement.with(names::of_occlusion(&question)).with(of_other_shapes(asked, answer))
         }
         None => Judgement::wrong("no truth value", f64::INFINITY, right.to_string()),
     }

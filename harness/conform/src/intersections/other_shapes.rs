@@ -2,10 +2,10 @@
 
 use serde_json::Value;
 
-use super::super::mistakes::{CHANGES, Mistake, same};
+use super::super::mistakes::{Mistake, OF_FUNCTIONS, same};
 use super::super::probe::ours;
 
-/// The mistakes with which our answer to an `intersect` is theirs. That nothing is hit says little: too many shapes are
+/// The mistakes with which our answer to an `intersect` or `occluded` is theirs. That nothing is hit says little: too many shapes are
 /// elsewhere.
 pub fn of_other_shapes(question: &Value, theirs: &Value) -> Vec<&'static Mistake> {
     if theirs.is_null() || theirs.as_array().is_some_and(Vec::is_empty) {
@@ -19,7 +19,7 @@ pub fn of_other_shapes(question: &Value, theirs: &Value) -> Vec<&'static Mistake
         let answer = changed.and_then(|()| ours(&other).ok());
         answer.is_some_and(|answer| is_same(theirs, &answer) && !is_same(&right, &answer))
     };
-    CHANGES.iter().filter(is_it).collect()
+    OF_FUNCTIONS.iter().filter(is_it).collect()
 }
 
 /// Whether two answers have the same hits: distances and, of one hit, its normal.

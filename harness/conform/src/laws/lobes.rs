@@ -7,10 +7,11 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
+use super::super::mistakes as m;
 use super::super::probe::ours;
 use super::{LEVEL, LawOutcome, TESTS, color, missing, relative, within};
 use groundtruth::lobes::Lobe;
-use groundtruth::math::{Vector, atan2};
+use groundtruth::math::{UNIT_ROUNDOFF, Vector, atan2};
 use statistics::chi_square::independence;
 use statistics::significance::sidak;
 
@@ -75,10 +76,12 @@ pub fn sample_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> La
     }
     let Some(f) = color(&value["f"]) else { return missing("f") };
     let weight = f.map(|f| f * wi[2].abs() / pdf);
-    let off = relative(&sample["weight"], &json!(weight)) / slack;
-    Ok(within(profile, "sample.weight", off, || {
+    let off = |weight: [f64; 3]| relative(&sample["weight"], &json!(weight)) / slack;
+    let judgement = within(profile, "sample.weight", off(weight), || {
         format!("sample.weight = {weight:?}, f |cos θ| / pdf at wi")
-    }))
+    });
+    let without_cos = off(f.map(|f| f / pdf)) <= profile.allowed() * UNIT_ROUNDOFF;
+    Ok(judgement.with(without_cos.then_some(&m::WITHOUT_COS)))
 }
 
 /// A sample that is none: another map may lead below the horizon. But if ours are some, so are some of theirs.

@@ -39,6 +39,14 @@ pub fn of_numbers(
     found
 }
 
+/// The mistakes that give all of an answer that is not nothing.
+pub fn of_answer(question: &Value, right: &Value, theirs: &Value) -> Vec<&'static Mistake> {
+    let is_theirs =
+        |other: &Value| is_alike(theirs, other, theirs) && !is_alike(right, other, theirs);
+    let others = if theirs.is_null() { Vec::new() } else { mistaken(question, right) };
+    others.into_iter().filter(|(_, other)| is_theirs(other)).map(|(mistake, _)| mistake).collect()
+}
+
 /// The mistakes whose value is no number here, such as 0/0.
 pub fn of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
     let is_cause = |(mistake, alternative): &AsAnswer| {

@@ -161,10 +161,27 @@ type Found = (Judgement, bool);
 /// Judges by our own answer.
 pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
-    let ours = leaves(&right, rules);
+    let judgement = compare((question, &right), theirs, profile, rules);
+    match &judgement {
+        // where there is something and should be nothing, no numbers are compared
+        Judgement::Wrong(wrong) if wrong.theirs.is_empty() && wrong.clues.is_empty() => {
+            judgement.with(clues::of_answer(question, &right, theirs))
+        }
+        _ => judgement,
+    }
+}
+
+/// Judges by the right answer.
+fn compare(
+    (question, right): (&Value, &Value),
+    theirs: &Value,
+    profile: Profile,
+    rules: &Rules,
+) -> Judgement {
+    let ours = leaves(right, rules);
     let check = |(leaf, cond): (&Leaf, f64)| match leaf.of(theirs) {
-        Some(their) => judge_leaf(question, &right, leaf, their, cond, profile),
-        None => missing(leaf, &right, theirs, rules),
+        Some(their) => judge_leaf(question, right, leaf, their, cond, profile),
+        None => missing(leaf, right, theirs, rules),
     };
     // what is right for a condition of 1 needs no other: measuring it takes a call for each number
     let found: Vec<Found> = ours.iter().map(|leaf| check((leaf, 0.0))).collect();
@@ -177,7 +194,7 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
     {
         return found;
     }
-    let Some(conditions) = conditions(question, &right, profile, rules) else {
+    let Some(conditions) = conditions(question, right, profile, rules) else {
         return Judgement::Undecided;
     };
     first_wrong(ours.iter().zip(conditions).map(|leaf| check(leaf).0))

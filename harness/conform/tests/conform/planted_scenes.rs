@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::altered::{card_with, instead};
 
 /// Families, each with a mistake that it shows.
-const PLANTED: [(&str, &str); 19] = [
+const PLANTED: [(&str, &str); 24] = [
     ("radiance.mirror.hall", "one-bounce-less"),
     ("radiance.path_trace.furnace", "one-bounce-more"),
     ("radiance.path_trace.furnace", "path-hits-over-pi"),
@@ -28,6 +28,11 @@ const PLANTED: [(&str, &str); 19] = [
     ("radiance.mesh.leaning", "flat-shading"),
     ("radiance.media.bubble", "outside-is-air"),
     ("radiance.sky.bilinear", "image-transposed"),
+    ("radiance.sky.hemispherical", "hemisphere-as-sphere"),
+    ("radiance.lights.fake_spherical", "jitter-one-sided"),
+    ("radiance.lights.several", "only-first-light"),
+    ("radiance.lights.spot", "spot-without-inner"),
+    ("radiance.shadows.lamp_between", "lamps-cast-no-shadow"),
 ];
 
 /// Answers the question changed, with random numbers of other seeds.

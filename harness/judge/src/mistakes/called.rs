@@ -16,6 +16,10 @@ pub(super) fn called(name: &str) -> Function {
     match name {
         "only_first_lamp" => |scene| keep_lamps(scene, |i, _| i == 0),
         "only_last_lamp" => |scene| keep_lamps(scene, |i, n| i + 1 == n),
+        "only_first_light" => |scene| {
+            let lights = scene.get_mut("lights")?.as_array_mut()?;
+            (lights.len() > 1).then(|| lights.truncate(1))
+        },
         "exchange_lamp_colors" => exchange_lamp_colors,
         "average_lamps" => average_lamps,
         "cast_none_if_one_casts_none" => cast_none_if_one_casts_none,
@@ -55,6 +59,7 @@ pub(super) fn called(name: &str) -> Function {
             let [low, high] = [phi.get(0)?.as_f64()?, phi.get(1)?.as_f64()?];
             set(shape, "phi", &json!([high, low + 360.0]))
         },
+        "without_third_edge" => without_third_edge,
         "columns_from_the_right" => |question| from_other_end(question, 0, "width"),
         "rows_from_below" => |question| from_other_end(question, 1, "height"),
         _ => panic!("mistakes.toml calls `{name}`, which is no function"),
@@ -190,6 +195,15 @@ fn move_by_half_a_cell(table: &mut Fields) -> Option<()> {
     let _ = only.get("color1").filter(|_| only.get("noise").is_none())?;
     let half = 0.5 * only.get("size")?.as_f64()?;
     transform(table, json!([{ "translate": [half, half, half] }]))
+}
+
+/// Moves the third edge of a triangle far away.
+fn without_third_edge(triangle: &mut Fields) -> Option<()> {
+    const FAR: f64 = 1e3;
+    let vertices = triangle.get("vertices")?.clone();
+    let [a, b, c]: [[f64; 3]; 3] = serde_json::from_value(vertices).ok()?;
+    let far = |p: [f64; 3]| std::array::from_fn::<f64, 3, _>(|i| a[i] + FAR * (p[i] - a[i]));
+    set(triangle, "vertices", &json!([a, far(b), far(c)]))
 }
 
 /// Counts the pixel's columns or rows from the other end.

@@ -41,7 +41,7 @@ pub(super) enum Place {
     Recipes,
     /// What is matte or shiny of each material: all of it, or what is under a mirror.
     Bases,
-    /// Each step of each instance, but not of those inside others; or of the question.
+    /// Each step of each instance, but not of those inside others; or of the question, if it has steps.
     Steps,
     /// The data of the kind of the question's lobe.
     Lobe,
@@ -70,7 +70,6 @@ impl Place {
             Self::Lobe => of_kind(data.get_mut("lobe")?, change),
             Self::Sources if is_part => of_kind(data.get_mut("light")?, change),
             Self::Materials if is_part => one(data, ""),
-            Self::Steps if is_part => steps(data.get_mut("steps")?, change),
             Self::Lens => of_kind(scene.pointer_mut("/camera/lens")?, change),
             Self::Tracer => of_kind(data.pointer_mut("/scene/tracer")?, change),
             Self::Objects => items(data, "objects", |item| change(&kind(item, "shape"), item)),
@@ -85,11 +84,15 @@ impl Place {
                 "emissive" => change(kind, fields.get_mut("matte")?.as_object_mut()?),
                 _ => change(kind, fields.get_mut("phong")?.as_object_mut()?),
             }),
-            Self::Steps => items(data, "objects", |item| {
-                inside(item, &["instance".to_owned()], &|instance| {
-                    steps(instance.get_mut("transform")?, change)
-                })
-            }),
+            Self::Steps => {
+                let of_instance =
+                    |instance: &mut Fields| steps(instance.get_mut("transform")?, change);
+                let name = ["steps", "transform"].into_iter().find(|name| data.get(name).is_some());
+                match name {
+                    Some(name) => steps(&mut data[name], change),
+                    None => inside(data.as_object_mut()?, &["instance".to_owned()], &of_instance),
+                }
+            }
         }
     }
 }
