@@ -62,8 +62,8 @@ impl Judgement {
     pub fn wrong(symptom: &str, error: f64, expected: impl Into<String>) -> Self {
         let expected = expected.into();
         let symptom = symptom.to_owned();
-        let (clues, ratio, theirs) = (Vec::new(), None, Vec::new());
-        Self::Wrong(Box::new(Wrong { symptom, error, expected, clues, ratio, theirs }))
+        let (clues, beside, ratio, theirs) = (Vec::new(), Vec::new(), None, Vec::new());
+        Self::Wrong(Box::new(Wrong { symptom, error, expected, clues, beside, ratio, theirs }))
     }
 
     /// The same, and if it is wrong, these mistakes give the answer, too.
@@ -71,6 +71,15 @@ impl Judgement {
     pub fn with(mut self, clues: impl IntoIterator<Item = &'static Mistake>) -> Self {
         if let Self::Wrong(wrong) = &mut self {
             wrong.clues.extend(clues);
+        }
+        self
+    }
+
+    /// The same, and if it is wrong, these mistakes give the answer, too, which is nothing, as many others do.
+    #[must_use]
+    pub fn beside(mut self, clues: impl IntoIterator<Item = &'static Mistake>) -> Self {
+        if let Self::Wrong(wrong) = &mut self {
+            wrong.beside.extend(clues);
         }
         self
     }
@@ -97,6 +106,8 @@ pub struct Wrong {
     pub expected: String,
     /// The mistakes that give exactly this answer.
     pub clues: Vec<&'static Mistake>,
+    /// Mistakes that explain this answer, too, if they give others: it is nothing, of which there are many causes.
+    pub beside: Vec<&'static Mistake>,
     /// The ratio of the answer to the right one, where it is one number.
     pub ratio: Option<f64>,
     /// The wrong numbers, where they are some.

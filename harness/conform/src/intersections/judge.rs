@@ -23,7 +23,10 @@ pub fn judge_occluded(asked: &Value, answer: &Value, profile: Profile, _: &Rules
     let right = !exact.roots.is_empty();
     match answer.as_bool() {
         Some(theirs) if theirs == right => Judgement::Right(0.0),
-        Some(false) => Judgement::wrong("missed", f64::INFINITY, "true").with([&mistakes::MISSED]),
+        Some(false) => {
+            let judgement = Judgement::wrong("missed", f64::INFINITY, "true");
+            judgement.with([&mistakes::MISSED]).beside(of_other_shapes(asked, answer))
+        }
         Some(true) => {
             let judgement = Judgement::wrong("no hit is there", f64::INFINITY, "false");
             judgement.with(names::of_occlusion(&question)).with(of_other_shapes(asked, answer))
@@ -35,7 +38,12 @@ pub fn judge_occluded(asked: &Value, answer: &Value, profile: Profile, _: &Rules
 /// Judges hits.
 pub fn judge(asked: &Value, answer: &Value, profile: Profile, _: &Rules) -> Judgement {
     let judged = hits(asked, answer, profile);
-    if judged.is_wrong() { judged.with(of_other_shapes(asked, answer)) } else { judged }
+    let others = || of_other_shapes(asked, answer);
+    match answer.is_null() || answer.as_array().is_some_and(Vec::is_empty) {
+        _ if !judged.is_wrong() => judged,
+        true => judged.beside(others()),
+        false => judged.with(others()),
+    }
 }
 
 fn hits(question: &Value, answer: &Value, profile: Profile) -> Judgement {
@@ -122,6 +130,7 @@ fn wrong(
     let ratio = mistakes::ratio(theirs, right);
     let symptom = symptom.to_owned();
     Judgement::Wrong(Box::new(Wrong {
+        beside: Vec::new(),
         symptom,
         error,
         expected,

@@ -5,12 +5,8 @@ use serde_json::Value;
 use super::super::mistakes::{Mistake, OF_FUNCTIONS, same};
 use super::super::probe::ours;
 
-/// The mistakes with which our answer to an `intersect` or `occluded` is theirs. That nothing is hit says little: too many shapes are
-/// elsewhere.
+/// The mistakes with which our answer to an `intersect` or `occluded` is theirs.
 pub fn of_other_shapes(question: &Value, theirs: &Value) -> Vec<&'static Mistake> {
-    if theirs.is_null() || theirs.as_array().is_some_and(Vec::is_empty) {
-        return Vec::new();
-    }
     let Ok(right) = ours(question) else { return Vec::new() };
     let is_it = |mistake: &&Mistake| {
         let mut other = question.clone();

@@ -64,7 +64,7 @@ const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
 /// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
-/// (Pearson). Within the cells of jittered points, x and y are not correlated, either. So one sample set in every pixel shows, and
+/// (Pearson). Points are not all at one place of their cells, and in those of jittered points x and y are not correlated, either. So one sample set in every pixel shows, and
 /// so do a shuffle that favours some points and one random number for both coordinates (Suffern, ch. 5). The case is a
 /// `samples` with `n` and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
@@ -123,6 +123,16 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
             Some(_) => continue,
         };
         return Ok(Judgement::wrong("pixels", f64::INFINITY, text));
+    }
+    // of a set of n points, each has a row and a column of its own, or a part of a larger cell
+    let place = |x: f64| (x * n as f64).fract();
+    let is_first = |x: f64| {
+        let away = (place(x) - place(points[0][0])).abs();
+        away.min(1.0 - away) < 1e-3
+    };
+    if points.iter().all(|point| is_first(point[0])) {
+        let text = "points anywhere in their cells";
+        return Ok(Judgement::wrong("cells", f64::INFINITY, text));
     }
     let side = (n as f64).sqrt();
     if strata_asked(asked) == Strata::Cells {

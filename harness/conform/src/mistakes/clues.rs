@@ -41,6 +41,17 @@ pub fn same(theirs: &[f64], alternative: &[f64]) -> bool {
     theirs.len() == alternative.len() && theirs.iter().zip(alternative).all(close)
 }
 
+/// Whether theirs are the numbers of a mistake, and not the right ones; of a small difference, if they are much nearer to them.
+pub fn tells(other: &[f64], theirs: &[f64], right: &[f64]) -> bool {
+    const NEARER: f64 = 100.0;
+    let away = |from: &[f64]| {
+        let differences = theirs.iter().zip(from).map(|(a, b)| (a - b).abs());
+        differences.fold(0.0_f64, f64::max)
+    };
+    same(theirs, other)
+        && (!same(right, other) || NEARER * away(other) <= away(right) && other != right)
+}
+
 /// The mistakes that turn the right numbers into theirs: factors, signs, exchanged components.
 pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
     let mut others = scaled(right);

@@ -37,7 +37,9 @@ pub fn suspects(wrong: &[Wrong]) -> Vec<(&'static Mistake, usize)> {
     let mut all: Vec<(&'static Mistake, usize)> = Vec::new();
     for mistake in wrong.iter().flat_map(|one| &one.clues) {
         if all.iter().all(|(known, _)| known != mistake) {
-            let explains = wrong.iter().filter(|one| one.clues.contains(mistake)).count();
+            let explains =
+                |one: &&Wrong| one.clues.contains(mistake) || one.beside.contains(mistake);
+            let explains = wrong.iter().filter(explains).count();
             all.push((mistake, explains));
         }
     }

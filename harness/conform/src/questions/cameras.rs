@@ -56,23 +56,31 @@ pub fn in_the_middle(draw: &mut Draw, mut question: Value) -> Value {
     question
 }
 
-/// Half a pixel to the right and up where the number of pixels is odd: in a picture of one more, in the next column.
-const INTEGER_HALF: fn(&mut Value) -> Option<()> = |question| {
+/// Half a pixel to the right, and up or down, where the number of pixels is odd: in a picture of one more, in the next column.
+fn integer_half(question: &mut Value, is_down: bool) -> Option<()> {
     let data = data(question)?;
     let is_odd =
         |pointer: &&str| data.pointer(pointer).and_then(Value::as_u64).is_some_and(|n| n % 2 == 1);
     let (wide, high) = (is_odd(&"/image/width"), is_odd(&"/image/height"));
-    let moved = [("/image/width", wide), ("/pixel/0", wide), ("/image/height", high)];
+    let moved = [
+        ("/image/width", wide),
+        ("/pixel/0", wide),
+        ("/image/height", high),
+        ("/pixel/1", high && is_down),
+    ];
     for (pointer, _) in moved.into_iter().filter(|(_, is_moved)| *is_moved) {
         let slot = data.pointer_mut(pointer)?;
         *slot = json!(slot.as_u64()? + 1);
     }
     Some(())
-};
+}
 
 /// Those of `camera_ray`.
 pub const CAMERA_RAY: Mistakes = Mistakes {
-    questions: &[(&m::INTEGER_HALF, INTEGER_HALF)],
+    questions: &[
+        (&m::INTEGER_HALF, |question| integer_half(question, false)),
+        (&m::INTEGER_HALF, |question| integer_half(question, true)),
+    ],
     answers: &[
         (&m::DIVIDED_BY_ZERO_ANGLE, |question, field, right| {
             question["camera_ray"]["camera"]["lens"].get("fisheye")?;

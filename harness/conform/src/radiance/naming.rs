@@ -143,7 +143,7 @@ fn fitting(question: &Value, theirs: &Estimate, right: &Estimate) -> Vec<&'stati
 /// Whether theirs may be the answer of a mistake, which is another than ours.
 fn explains(other: &Estimate, theirs: &Estimate, right: &Estimate) -> bool {
     if other.is_exact() && theirs.is_exact() {
-        return m::same(&theirs.mean, &other.mean) && !m::same(&right.mean, &other.mean);
+        return m::tells(&other.mean, &theirs.mean, &right.mean);
     }
     // of what ours is, theirs is none: it was judged wrong
     other.distance(theirs, CLOSE) <= NEAR && right.distance(theirs, CLOSE) > NEAR

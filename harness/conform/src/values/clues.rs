@@ -5,7 +5,7 @@ use ask::{number, numbers};
 use serde_json::{Value, json};
 
 use super::super::handed;
-use super::super::mistakes::{self, Mistake, same};
+use super::super::mistakes::{self, Mistake, same, tells};
 use super::super::probe::ours;
 use super::super::questions::{AsAnswer, mistakes as coded};
 use super::Leaf;
@@ -34,17 +34,40 @@ pub fn of_numbers(
     let coded = coded(name(question)).answers.iter();
     let coded =
         coded.filter_map(|(mistake, of)| Some((*mistake, of(question, &leaf.field, answer)?)));
-    let gives = |other: &[f64]| same(theirs, other) && !same(right, other);
+    let gives = |other: &[f64]| tells(other, theirs, right);
     found.extend(others.chain(coded).filter(|(_, it)| gives(it)).map(|(mistake, _)| mistake));
     found
 }
 
-/// The mistakes that give all of an answer that is not nothing.
+/// The mistakes that give all of an answer.
 pub fn of_answer(question: &Value, right: &Value, theirs: &Value) -> Vec<&'static Mistake> {
     let is_theirs =
         |other: &Value| is_alike(theirs, other, theirs) && !is_alike(right, other, theirs);
-    let others = if theirs.is_null() { Vec::new() } else { mistaken(question, right) };
-    others.into_iter().filter(|(_, other)| is_theirs(other)).map(|(mistake, _)| mistake).collect()
+    let others = mistaken(question, right).into_iter();
+    others.filter(|(_, other)| is_theirs(other)).map(|(mistake, _)| mistake).collect()
+}
+
+/// Whether a right field of an answer says that it is not that of a mistake: of rays and matrices. The fields of lobes and lights are
+/// functions of their own, and the point on the film is told beside the ray.
+pub fn is_contradicted(
+    question: &Value,
+    right: &Value,
+    theirs: &Value,
+    mistake: &'static Mistake,
+) -> bool {
+    let fields = match name(question) {
+        "camera_ray" => ["origin", "direction"],
+        "transform" => ["matrix", "inverse"],
+        _ => return false,
+    };
+    let others = with(mistake, question, right);
+    let differs = |other: &Value| {
+        fields.iter().any(|field| {
+            let alike = |a: &Value, b: &Value| is_alike(&a[field], &b[field], &b[field]);
+            theirs.get(field).is_some() && alike(theirs, right) && !alike(other, right)
+        })
+    };
+    !others.is_empty() && others.iter().all(differs)
 }
 
 /// The mistakes whose value is no number here, such as 0/0.

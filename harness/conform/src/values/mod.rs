@@ -161,13 +161,14 @@ type Found = (Judgement, bool);
 /// Judges by our own answer.
 pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
-    let judgement = compare((question, &right), theirs, profile, rules);
-    match &judgement {
-        // where there is something and should be nothing, no numbers are compared
-        Judgement::Wrong(wrong) if wrong.theirs.is_empty() && wrong.clues.is_empty() => {
-            judgement.with(clues::of_answer(question, &right, theirs))
-        }
-        _ => judgement,
+    let mut judgement = compare((question, &right), theirs, profile, rules);
+    let Judgement::Wrong(wrong) = &mut judgement else { return judgement };
+    wrong.clues.retain(|it| !clues::is_contradicted(question, &right, theirs, it));
+    // where there is something and should be nothing, or the other way round, no numbers are compared
+    match wrong.theirs.is_empty() && wrong.clues.is_empty() {
+        true if theirs.is_null() => judgement.beside(clues::of_answer(question, &right, theirs)),
+        true => judgement.with(clues::of_answer(question, &right, theirs)),
+        false => judgement,
     }
 }
 
@@ -272,6 +273,7 @@ fn judge_leaf(
         error,
         expected: leaf.shown(),
         clues: clues::of_numbers(question, leaf, answer, (&theirs, right)),
+        beside: Vec::new(),
         ratio: mistakes::ratio(&theirs, right),
         // a list of another length has no meaning, and may be long
         theirs: if theirs.len() == right.len() { theirs } else { Vec::new() },

@@ -156,7 +156,13 @@ impl Subject for Making {
 }
 
 /// Families of functions, each with a mistake that the file says as data.
-const MADE: [(&str, &str); 17] = [
+const MADE: [(&str, &str); 24] = [
+    ("camera_ray.pinhole.zoom", "zoom-twice"),
+    ("transform.reflect.values", "reflects-about-axis"),
+    ("intersect.torus.inward", "inward-ignored"),
+    ("intersect.lattice.ordinary", "one-spacing"),
+    ("grid.boxes.resolution", "one-resolution"),
+    ("map.sphere.values", "half-sphere"),
     ("camera_ray.pinhole.values", "look-at-ignored"),
     ("camera_ray.thin_lens.up", "up-ignored"),
     ("camera_ray.orthographic.values", "rays-from-origin"),
@@ -169,6 +175,7 @@ const MADE: [(&str, &str); 17] = [
     ("transform.shear.values", "shear-transposed"),
     ("intersect.transformed.scale_rotate.sphere", "steps-reversed"),
     ("intersect.triangle.around", "no-third-edge"),
+    ("intersect.mesh.scaled", "mesh-scale"),
     ("mapping.hemispherical.values", "hemisphere-as-sphere"),
     ("mapping.square.values", "mapping-not-scaled"),
     ("texture.texture_instance.values", "texture-steps-inverted"),

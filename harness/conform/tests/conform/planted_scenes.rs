@@ -23,7 +23,7 @@ const PLANTED: [(&str, &str); 24] = [
     ("radiance.lamp.rectangle", "lamp-two-sided"),
     ("radiance.occlusion.distance", "no-max-distance"),
     ("radiance.global_trace.room", "one-bounce-less"),
-    ("radiance.lamp.switched_off", "switched-off-counts"),
+    ("radiance.lights.switched_off", "lights-switched-off-shine"),
     ("radiance.lamp.left_in_place", "textures-always-in-instance"),
     ("radiance.mesh.leaning", "flat-shading"),
     ("radiance.media.bubble", "outside-is-air"),

@@ -45,9 +45,9 @@ fn nothing_to_judge_has_reasons() {
     let Some(card) = run(&[], &["scenes/mirror"], 48) else { return };
     let said = card::verdict(&card, false);
     assert!(
-        said.starts_with("nothing to judge: all 4 families are unsupported; the program says: ")
+        said.starts_with("nothing to judge: all 5 families are unsupported; the program says: ")
     );
-    assert!(said.contains("\"tracer `whitted`\" (32)"), "{said}");
+    assert!(said.contains("\"tracer `whitted`\" (40)"), "{said}");
 }
 
 /// Law: the tracer of mirrors is asked for only where something reflects or lets light through. Oracle: the recipes of the scene.
