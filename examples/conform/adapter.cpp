@@ -177,7 +177,7 @@ Hits hits(const Json& q, Vector o, Vector d, double low, double high) {
     if (!q.has("shape")) throw Unsupported("a whole scene");
     const std::string& kind = q["shape"].keys.at(0);
     const Json& shape = q["shape"].items.at(0);
-    if (q.has("transform")) throw Unsupported("transform");
+    if (q.has("transform") || shape.has("inward")) throw Unsupported("transform, inward");
     Hits all, inside;
     if (kind == "sphere") all = sphere(shape, o, d);
     else if (kind == "plane") all = plane(vector(shape["point"]), vector(shape["normal"]), o, d);

@@ -125,6 +125,7 @@ fn hits(q: &Value, o: Vector, d: Vector, [low, high]: [f64; 2]) -> Result<Vec<Hi
     let shape = q["shape"].as_object().and_then(|shape| shape.iter().next());
     let mut all = match shape {
         _ if q.get("transform").is_some() => return unsupported("transform"),
+        Some((_, data)) if data.get("inward").is_some() => return unsupported("inward"),
         Some((kind, data)) => match kind.as_str() {
             "sphere" => sphere(data, o, d)?,
             "plane" => plane(reals(&data["point"])?, reals(&data["normal"])?, o, d),

@@ -75,7 +75,7 @@ def hits(q, o, d, low, high):
     if "shape" not in q:
         raise Unsupported("a whole scene")
     (kind, shape), = q["shape"].items()
-    if kind not in SHAPES or "transform" in q:
+    if kind not in SHAPES or "transform" in q or "inward" in shape:
         raise Unsupported(kind)
     return [{"t": t, "normal": n} for t, n in SHAPES[kind](shape, o, d) if low < t < high]
 

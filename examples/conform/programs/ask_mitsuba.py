@@ -77,6 +77,8 @@ def placed(asked):
 
 def shape(asked):
     (kind, data), = asked.items()
+    if data.get("inward"):
+        raise Unsupported("inward")
     if kind == "sphere":
         return {"type": "sphere", "center": data["center"], "radius": data["radius"]}
     if kind == "disk":

@@ -66,6 +66,7 @@ fn target(q: &Value) -> Result<(Pose, Box<dyn Target>), Refusal> {
     let up = |y: Real| Vector::new(0.0, y, 0.0);
     Ok(match kind.as_str() {
         _ if q.get("transform").is_some() => return unsupported("transform"),
+        _ if data.get("inward").is_some() => return unsupported("inward"),
         "sphere" => at(vector(&data["center"])?, Ball::new(real(&data["radius"])?)),
         "box" => at(up(0.0), Aabb::new(vector(&data["min"])?, vector(&data["max"])?)),
         "plane" => {

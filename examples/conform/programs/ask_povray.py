@@ -129,7 +129,7 @@ SHAPES = {
 
 def shape(asked):
     (kind, data), = asked.items()
-    if kind not in SHAPES:
+    if kind not in SHAPES or data.get("inward"):
         raise Unsupported(kind)
     return SHAPES[kind](data)
 
