@@ -214,6 +214,31 @@ fn what_is_seen_gives_way_to_what_was_done() {
     assert!(!names.iter().any(|it| it.starts_with("hits are missed")), "{names:?}");
 }
 
+/// Law: a ray whose direction is that of a lens has not the name of a point as a lens, though it starts in its middle.
+/// Oracle: our rays, which start at the eye.
+#[test]
+fn a_right_field_refutes_a_name() {
+    let mut subject = Altered(|question, mut answer| {
+        answer["origin"] = data(question)["camera"]["eye"].clone();
+        answer
+    });
+    let card = card(&mut subject, &["camera_ray.thin_lens.values"], Profile::Careful, 24);
+    assert!(card.rows[0].count(Status::Wrong) > 10, "{card}");
+    assert!(card.rows[0].names.is_empty(), "{:?}", card.rows[0].names);
+}
+
+/// Law: numbers are those of a mistake that changes little if they are much nearer to it than to the right ones. Oracle: numbers
+/// with a difference of 2·10⁻⁷.
+#[test]
+fn a_small_difference_tells_a_mistake() {
+    let (right, near) = ([1.0, 0.5], [1.0, 0.5 + 2e-7]);
+    assert!(m::tells(&near, &near, &right));
+    assert!(!m::tells(&right, &near, &right));
+    assert!(!m::tells(&near, &right, &right));
+    assert!(!m::tells(&[1.0, 0.5 + 4e-7], &near, &right), "halfway");
+    assert!(m::tells(&[2.0, 0.5], &[2.0, 0.5 + 2e-7], &right), "large");
+}
+
 /// Law: a constant factor that is none of the known ones is named by its number. Oracle: the factor planted.
 #[test]
 fn an_unknown_constant_factor_is_named_by_its_number() {

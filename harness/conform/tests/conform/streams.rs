@@ -34,6 +34,15 @@ fn one_random_number_for_x_and_y_is_found() {
 }
 
 #[test]
+fn points_that_never_move_in_their_cells_are_found() {
+    is_found(&["samples.n_rooks.stream"], "cells", |question, answer| {
+        let n = data(question)["n"].as_f64().unwrap_or(1.0);
+        let middle = |i: usize| ((n * answer[i].as_f64().unwrap_or(0.0)).floor() + 0.5) / n;
+        json!([middle(0), middle(1)])
+    });
+}
+
+#[test]
 fn a_draw_that_comes_twice_is_found() {
     fn twice(question: &Value, _: Value) -> Value {
         instead(question, |data| {
