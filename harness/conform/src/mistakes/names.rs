@@ -76,8 +76,7 @@ pub fn names(wrong: &[Wrong]) -> Vec<Name> {
 
 /// Of several names of a family, keeps those that most other families share, if these are at most two. A name that no other
 /// family has is dropped if it rests on few wrong answers, or if it is that of a scene and most other wrong scenes have
-/// none. What is only seen is not said where two families tell what was done. If all wrong answers of all families are
-/// those of left-handed axes, this is said first.
+/// none. If all wrong answers of all families are those of left-handed axes, this is said first.
 pub fn agree(rows: &mut [Row]) {
     let failed: Vec<&Row> = rows.iter().filter(|row| row.count(Status::Wrong) > row.fair).collect();
     // some rules have no numbers to compare
@@ -105,13 +104,8 @@ pub fn agree(rows: &mut [Row]) {
         }
         Name::Factor(_) => 1,
     };
-    let is_told = votes.iter().any(|(mistake, votes)| *votes > 1 && !is_symptom(mistake));
     for row in rows {
         let wrong = row.count(Status::Wrong) as usize;
-        if is_told {
-            row.names
-                .retain(|name| !matches!(name, Name::Known { mistake, .. } if is_symptom(mistake)));
-        }
         if is_left_handed && wrong > 0 {
             let name = Name::Known { mistake: &LEFT_HANDED, explains: wrong, of: wrong };
             row.names.insert(0, name);
@@ -151,11 +145,6 @@ fn has_one_value(wrong: &[Wrong]) -> bool {
     let is_same = |other: &Wrong| other.theirs == first.theirs && other.symptom == first.symptom;
     let is_zero = first.theirs.iter().all(|x| *x == 0.0);
     !is_zero && rights.len() >= 3 && [second, third].into_iter().chain(others).all(is_same)
-}
-
-/// Whether a mistake says no more than what is seen.
-fn is_symptom(mistake: &Mistake) -> bool {
-    [&MISSED, &BLACK, &IN_BLACK_SHADOW].contains(&mistake)
 }
 
 /// How much a mistake says, the most first.

@@ -200,20 +200,6 @@ fn mistakes_of_the_file_are_named() {
     assert!(nameless.is_empty(), "{nameless:?}");
 }
 
-/// Law: where two families say what was done, a third does not say that hits are missed. Oracle: translations turned round, with which
-/// most rays miss.
-#[test]
-fn what_is_seen_gives_way_to_what_was_done() {
-    let known = known::find("translations-reversed").expect("it is in the file");
-    let words =
-        ["transform.translate", "transform.composed.values", "occluded.transformed.segment"];
-    let card = card(&mut Making(known), &words, Profile::Careful, 24);
-    let names = card.rows.iter().flat_map(|row| &row.names).map(ToString::to_string);
-    let names: Vec<String> = names.collect();
-    assert!(names.iter().filter(|it| it.starts_with(known.words)).count() == 2, "{names:?}");
-    assert!(!names.iter().any(|it| it.starts_with("hits are missed")), "{names:?}");
-}
-
 /// Law: a ray whose direction is that of a lens has not the name of a point as a lens, though it starts in its middle.
 /// Oracle: our rays, which start at the eye.
 #[test]
