@@ -165,7 +165,8 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
     let Judgement::Wrong(wrong) = &mut judgement else { return judgement };
     wrong.clues.retain(|it| !clues::is_contradicted(question, &right, theirs, it));
     // where there is something and should be nothing, or the other way round, no numbers are compared
-    match wrong.theirs.is_empty() && wrong.clues.is_empty() {
+    let is_answer = theirs.is_null() || theirs.is_object();
+    match is_answer && wrong.theirs.is_empty() && wrong.clues.is_empty() {
         true if theirs.is_null() => judgement.beside(clues::of_answer(question, &right, theirs)),
         true => judgement.with(clues::of_answer(question, &right, theirs)),
         false => judgement,

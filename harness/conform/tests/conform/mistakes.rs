@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 
 use planted::Planted;
 
-use super::altered::{Altered, at, card, data, families, swap, vector};
+use super::altered::{Altered, at, card, card_with, data, families, swap, vector};
 
 /// How many numbers other than 0, 1 and −1 a question has.
 fn numbers(question: &Value) -> usize {
@@ -190,7 +190,7 @@ fn mistakes_of_the_file_are_named() {
     let mut nameless = Vec::new();
     for (family, name) in MADE {
         let known = known::find(name).expect("it is in the file");
-        let card = card(&mut Making(known), &[family], Profile::Careful, 48);
+        let card = card_with(&mut Making(known), &[family], Profile::Careful, 32, false);
         let names: Vec<String> = card.rows[0].names.iter().map(ToString::to_string).collect();
         let words = known.clue.unwrap_or(known.words);
         if !names.iter().any(|it| it.starts_with(words)) {
