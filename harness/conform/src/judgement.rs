@@ -75,7 +75,7 @@ impl Judgement {
         self
     }
 
-    /// The same, and if it is wrong, these mistakes give the answer, too, which is nothing, as many others do.
+    /// The same, and if it is wrong: these mistakes give this answer, too, which is nothing (`null`, no hit, not blocked).
     #[must_use]
     pub fn beside(mut self, clues: impl IntoIterator<Item = &'static Mistake>) -> Self {
         if let Self::Wrong(wrong) = &mut self {
@@ -106,7 +106,7 @@ pub struct Wrong {
     pub expected: String,
     /// The mistakes that give exactly this answer.
     pub clues: Vec<&'static Mistake>,
-    /// Mistakes that explain this answer, too, if they give others: it is nothing, of which there are many causes.
+    /// Mistakes that give this answer, which is nothing, as with many mistakes: they count where other answers have them as clues.
     pub beside: Vec<&'static Mistake>,
     /// The ratio of the answer to the right one, where it is one number.
     pub ratio: Option<f64>,

@@ -64,8 +64,9 @@ const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
 /// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
-/// (Pearson). Points are not all at one place of their cells, and in those of jittered points x and y are not correlated, either. So one sample set in every pixel shows, and
-/// so do a shuffle that favours some points and one random number for both coordinates (Suffern, ch. 5). The case is a
+/// (Pearson). Points are not all at one place of their cells, and within those of jittered points x and y are not correlated.
+/// So one sample set in every pixel shows, and so do a shuffle that favours some points, a jitter that is left out, and one
+/// random number for both coordinates (Suffern, ch. 5). The case is a
 /// `samples` with `n` and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let asked = &case["samples"];
@@ -124,13 +125,14 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
         };
         return Ok(Judgement::wrong("pixels", f64::INFINITY, text));
     }
-    // of a set of n points, each has a row and a column of its own, or a part of a larger cell
-    let place = |x: f64| (x * n as f64).fract();
-    let is_first = |x: f64| {
-        let away = (place(x) - place(points[0][0])).abs();
+    // the place in one of n columns; larger cells are some of them. The bound is far above rounding in single precision, and 400
+    // random places are never so near to each other
+    let place = |point: &Vec<f64>| (point[0] * n as f64).fract();
+    let is_first = |point: &Vec<f64>| {
+        let away = (place(point) - place(&points[0])).abs();
         away.min(1.0 - away) < 1e-3
     };
-    if points.iter().all(|point| is_first(point[0])) {
+    if points.iter().all(is_first) {
         let text = "points anywhere in their cells";
         return Ok(Judgement::wrong("cells", f64::INFINITY, text));
     }

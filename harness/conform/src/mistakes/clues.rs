@@ -41,7 +41,8 @@ pub fn same(theirs: &[f64], alternative: &[f64]) -> bool {
     theirs.len() == alternative.len() && theirs.iter().zip(alternative).all(close)
 }
 
-/// Whether theirs are the numbers of a mistake, and not the right ones; of a small difference, if they are much nearer to them.
+/// Whether theirs are the numbers that a mistake gives, and not the right ones. Where both are nearly the same, theirs have to be
+/// much nearer to those of the mistake.
 pub fn tells(other: &[f64], theirs: &[f64], right: &[f64]) -> bool {
     const NEARER: f64 = 100.0;
     let away = |from: &[f64]| {

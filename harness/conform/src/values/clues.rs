@@ -47,8 +47,8 @@ pub fn of_answer(question: &Value, right: &Value, theirs: &Value) -> Vec<&'stati
     others.filter(|(_, other)| is_theirs(other)).map(|(mistake, _)| mistake).collect()
 }
 
-/// Whether a right field of an answer says that it is not that of a mistake: of rays and matrices. The fields of lobes and lights are
-/// functions of their own, and the point on the film is told beside the ray.
+/// Whether a field of theirs that is right would be another with this mistake. Only of rays and matrices: the fields of lobes
+/// and lights come from functions of their own, and a ray's point on the film may be told by another rule.
 pub fn is_contradicted(
     question: &Value,
     right: &Value,

@@ -5,7 +5,6 @@ use ask::{Asking, Reply, Stop, Subject};
 use conform::family::{Family, Judge};
 use conform::{Judgement, Ours, Profile, ours, suite};
 use serde_json::{Value, json};
-use testkit::as_many;
 
 use super::altered::card;
 
@@ -52,14 +51,14 @@ fn blind(families: &[Family], cases: usize, constant: Option<&Value>) -> Vec<Str
     families.iter().filter(passes).map(|family| family.name.clone()).collect()
 }
 
-/// Law: no family is passed by one answer to everything, and no answer stops the judge. Oracle: nothing, constants of every
-/// kind of JSON (lists and texts with THOROUGH=1), and the right answer to the family's first case.
+/// Law: no family is passed by one answer to everything, and no answer stops the judge. Oracle: constants of every
+/// kind of JSON, nothing, an empty object, NaN, and the right answer to the family's first case.
 #[test]
 fn no_constant_passes() {
     let families: Vec<Family> = suite::all().into_iter().filter(is_cheap).collect();
     let constants =
-        [json!(null), json!(false), json!(42), json!({}), json!([]), json!("nan"), json!("pi")];
-    for constant in constants.into_iter().take(as_many(4, 7)) {
+        [json!(null), json!(false), json!(42), json!([]), json!({}), json!("nan"), json!("pi")];
+    for constant in constants {
         let names = blind(&families, CASES, Some(&constant));
         // some shapes are hit by no ray of a few, or by each
         let is_guess = |name: &String| {

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::altered::{card_with, instead};
 
 /// Families, each with a mistake that it shows.
-const PLANTED: [(&str, &str); 24] = [
+const PLANTED: [(&str, &str); 27] = [
     ("radiance.mirror.hall", "one-bounce-less"),
     ("radiance.path_trace.furnace", "one-bounce-more"),
     ("radiance.path_trace.furnace", "path-hits-over-pi"),
@@ -33,6 +33,9 @@ const PLANTED: [(&str, &str); 24] = [
     ("radiance.lights.several", "only-first-light"),
     ("radiance.lights.spot", "spot-without-inner"),
     ("radiance.shadows.lamp_between", "lamps-cast-no-shadow"),
+    ("radiance.occlusion.min_amount", "min-amount-of-light"),
+    ("radiance.lights.fake_spherical", "jitter-doubled"),
+    ("radiance.lamp.rectangle", "lamps-reversed"),
 ];
 
 /// Answers the question changed, with random numbers of other seeds.
