@@ -165,36 +165,3 @@ fn an_adapter_to_fill_in_runs_and_supports_nothing() {
         assert_all_unsupported(&mut program(&["java", "-cp", &classes, "MyTracer"]));
     }
 }
-
-/// Law: adapters of a language have the same reader of JSON and the same protocol as the one to fill in. Oracle: the
-/// texts.
-#[test]
-fn adapters_of_a_language_share_their_protocol() {
-    let between = |file: &str, from: &str, to: &str| {
-        let text = text_of_example(file);
-        let begin = text.find(from).unwrap_or_else(|| panic!("{file} has no {from}"));
-        let end = if to.is_empty() { text.len() } else { text.find(to).expect(to) };
-        text[begin..end].to_owned()
-    };
-    for (from, files) in [
-        (
-            "def reply",
-            &[
-                "init.py",
-                "adapter.py",
-                "wrong.py",
-                "book/book.py",
-                "programs/ask_trimesh.py",
-                "programs/ask_embree.py",
-                "programs/ask_mitsuba.py",
-            ][..],
-        ),
-        ("// The protocol", &["init.cpp", "adapter.cpp"]),
-        ("/// The protocol", &["init.rs", "adapter.rs", "programs/ask_parry.rs"]),
-    ] {
-        let texts: Vec<String> = files.iter().map(|file| between(file, from, "")).collect();
-        assert!(texts.windows(2).all(|pair| pair[0] == pair[1]), "{files:?} differ from {from} on");
-    }
-    let reader = between("init.cpp", "#include", "// The questions");
-    assert_eq!(reader, between("adapter.cpp", "#include", "// Vectors."));
-}

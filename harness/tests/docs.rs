@@ -146,40 +146,6 @@ fn every_chapter_has_its_file_or_folder_and_every_file_is_a_module() {
     }
 }
 
-/// Law: the table of tests in CONTRIBUTING.md has the test program of each package that has one, and its modules. Oracle:
-/// the manifests, and the `mod` lines of the programs.
-#[test]
-fn the_table_of_tests_is_whole() {
-    let workspace: toml::Table = text_of("Cargo.toml").parse().expect("a manifest");
-    let members = workspace["workspace"]["members"].as_array().expect("a list");
-    let page = text_of("CONTRIBUTING.md");
-    let mut count = 0;
-    for folder in members.iter().map(|member| member.as_str().expect("a text")) {
-        let manifest: toml::Table =
-            text_of(&format!("{folder}/Cargo.toml")).parse().expect("a manifest");
-        for test in manifest.get("test").and_then(|tests| tests.as_array()).into_iter().flatten() {
-            let package = manifest["package"]["name"].as_str().expect("a text");
-            let [name, path] = ["name", "path"].map(|key| test[key].as_str().expect("a text"));
-            let row = format!("| `{package}` | `{name}` |");
-            let row = page
-                .lines()
-                .find(|line| line.starts_with(&row))
-                .unwrap_or_else(|| panic!("CONTRIBUTING.md has no row that begins with {row}"));
-            count += 1;
-            let listed = row.split('|').nth(3).expect("a list of modules");
-            let listed: Vec<&str> = listed.split('`').skip(1).step_by(2).collect();
-            let code = text_of(&format!("{folder}/{path}"));
-            let there =
-                code.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
-            // what the others share is no module of laws
-            let there: Vec<&str> = there.filter(|name| *name != "kit").collect();
-            let is_listed = listed.is_empty() || listed == there;
-            assert!(is_listed, "CONTRIBUTING.md, modules of {name}: {listed:?}, not {there:?}");
-        }
-    }
-    assert!(count >= 10, "{count} test programs: the search for them is broken");
-}
-
 /// The text of all files of tests and cases below a folder, and the names of these files as modules.
 fn tests_below(folder: &Path) -> String {
     let mut text = String::new();

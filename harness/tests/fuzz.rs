@@ -5,13 +5,10 @@
 #[path = "../../fuzz/src/bodies/mod.rs"]
 mod bodies;
 
-use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-use groundtruth::kinds::tag;
 use groundtruth::math::{Pcg32, hash};
-use groundtruth::shapes::{Context, Kind};
 
 /// The number of changed and of random inputs for each target: they take some seconds in all.
 const ROUNDS: u32 = 4000;
@@ -45,32 +42,6 @@ fn check(target: &str, body: fn(&[u8]), bytes: &[u8], what: &str) {
         eprintln!("target {target}, {what}: the bytes are in {}", kept.display());
         std::panic::resume_unwind(problem);
     }
-}
-
-/// Law: bytes make a valid shape of every kind that needs no file. Oracle: the list of kinds.
-#[test]
-fn bytes_make_every_kind_of_shape() {
-    let mut random = Pcg32::new(19, 22);
-    let mut made = BTreeSet::new();
-    for _ in 0..20_000 {
-        let bytes: Vec<u8> = (0..80).map(|_| random.next_u32() as u8).collect();
-        let kind = bodies::kinds::kind(&mut bodies::input::Input::new(&bytes));
-        if kind.build(&mut Context::default()).is_ok() {
-            let name = format!("{kind:?}");
-            made.insert(tag(name.split('(').next().unwrap_or_default()));
-        }
-    }
-    // those that `Input::shape` makes itself
-    for kind in ["plane", "sphere", "box", "triangle", "rectangle", "disk", "open_cylinder"] {
-        made.insert(kind.to_owned());
-    }
-    made.extend(["instance", "tessellated_sphere"].map(str::to_owned));
-    let missing: Vec<&str> = Kind::ENTRIES
-        .iter()
-        .map(|entry| if entry.module == "cuboid" { "box" } else { entry.module })
-        .filter(|module| !made.contains(*module) && *module != "mesh")
-        .collect();
-    assert!(missing.is_empty(), "never made: {missing:?}");
 }
 
 /// The bytes with a few of them changed, cut out, or doubled.

@@ -3,10 +3,8 @@
 #[cfg(unix)]
 mod interrupt;
 
-use std::collections::BTreeSet;
 use std::process::Command;
 
-use pictures::sums::Seeds;
 use xxhash_rust::xxh3::xxh3_128;
 
 use crate::kit::{Folder, Run};
@@ -49,37 +47,4 @@ fn a_faulty_machine_is_found() {
                 machines is faulty; render them a third time to see which\n";
     assert_eq!(run.stderr, text);
     assert!(!at.path().join("mean.exr").exists());
-}
-
-/// All sets of seeds below 6, with the set of numbers that each is.
-fn sets() -> Vec<(Seeds, BTreeSet<u64>)> {
-    let of_bits = |bits: u64| {
-        let numbers: BTreeSet<u64> = (0..6).filter(|seed| bits >> seed & 1 == 1).collect();
-        let one = |seed: &u64| Seeds::range(*seed, 1).expect("it fits");
-        let seeds = numbers.iter().map(one).fold(Seeds::default(), |all, it| all.union(&it));
-        (seeds, numbers)
-    };
-    (0..64).map(of_bits).collect()
-}
-
-/// Law: union, intersection, difference, count and order of any two sets of seeds are those of sets of
-/// numbers, at every border; so are those of the largest seeds. Oracle: `BTreeSet`, over all pairs of sets of six seeds.
-#[test]
-fn sets_of_seeds_are_sets_of_numbers() {
-    let sets = sets();
-    for (a, numbers) in &sets {
-        assert_eq!(a.iter().collect::<BTreeSet<u64>>(), *numbers);
-        assert_eq!((a.count(), a.is_empty()), (numbers.len() as u64, numbers.is_empty()));
-        for (b, others) in &sets {
-            let found = [a.union(b), a.intersection(b), a.without(b)];
-            let expected = [numbers | others, numbers & others, numbers - others];
-            for (found, expected) in found.iter().zip(expected) {
-                let place = expected.iter().fold(0, |bits, seed| bits | 1_usize << seed);
-                assert_eq!(*found, sets[place].0, "{a} and {b}");
-            }
-        }
-    }
-    let last = Seeds::range(u64::MAX - 1, 1).expect("the last one");
-    assert_eq!(Seeds::range(u64::MAX - 1, 2), None);
-    assert_eq!(Seeds::range(u64::MAX - 3, 3).expect("they fit").intersection(&last), last);
 }

@@ -4,7 +4,6 @@
 //! | --- | --- | --- |
 //! | directional and point lights | a directional light is the same everywhere, and depends on its direction only, not on its length | `a_directional_light_is_the_same_everywhere` |
 //! | fig. 14.11, distance attenuation | a point light straight above at distance d gives `k_d l_s/(π d^k)`; with k = 0 it does not depend on d | `a_point_light_fades_with_the_power_of_its_distance` |
-//! |  | the light of a point or spot light fades as `d^−k` along any direction, in each channel alike, for every k; the ratio at two distances on one line is `(d₁/d₂)^k` | `sources::light_fades_with_the_power_of_the_distance` |
 //! | diffuse shading: the material Matte | a matte surface has the radiance `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, wherever the eye is | `lambert_shading_is_exact_on_a_plane` |
 //! |  | a light of strength π straight above a white surface gives it the radiance 1 | `light_of_strength_pi_makes_a_white_surface_white` |
 //! |  | a point that faces away from a light gets ambient light only, and no shadow ray is cast for it | `points_that_face_away_get_ambient_light_only` |

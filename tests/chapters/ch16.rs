@@ -10,7 +10,6 @@
 //! |  | by the book's hit functions a planet far from the origin is in its own shadow in many of the pixels that the sun lights, by the library's in none | `acne::the_planet_shades_itself_by_the_textbook_only` |
 //! | fig. 16.5, the view from the light | seen from a point light there is no shadow: the picture is the one without shadows, bit for bit; from elsewhere the two differ | `the_view_from_a_light_shows_no_shadow` |
 //! | shadows of a sphere | the shadow on y = 0 of a sphere (radius r, centre at height h) is a disc of radius r under a vertical sun, and of radius `H tan(asin(r/(H − h)))` under a lamp at height H | `the_shadow_of_a_sphere_is_a_disc` |
-//! |  | the edge of the shadow of a ball on the ground lies on the cone from the lamp that touches the ball, in every direction | `the_edge_of_a_shadow_is_on_the_tangent_cone` |
 //! | fig. 16.11, shadows of three coloured lights | each light has its own shadow: with three coloured lights, the regions in the shadow of one show the other two (cyan, magenta, yellow), and all these regions occur | `three_coloured_lights_cast_complementary_shadows` |
 //! | shadow switches of lights, objects and materials (exercises) | a shadow needs the light's switch, the object's and the material's; those of the receiver do not matter | `a_shadow_needs_the_switches_of_light_object_and_material` |
 //!
@@ -234,34 +233,5 @@ proptest! {
         let world = built(&heap());
         let (ray, span) = (ray(origin, d.into()), Span { min, max: min + length });
         prop_assert_eq!(world.occluder(&ray, span).is_some(), world.hit(&ray, span).is_some());
-    }
-}
-
-/// Law: the edge of the shadow of a ball on the ground lies on the cone from the lamp that touches the ball,
-/// in every direction. Oracle: the distance of the ball's centre from the ray through the edge, found by
-/// bisection on the rendered radiance.
-/// Book: shadows of a sphere.
-#[test]
-fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
-    let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);
-    let mut scene = stage(Rgb::BLACK);
-    put(&mut scene, ground(0.0), white());
-    put(&mut scene, sphere(center, radius), white());
-    shine(&mut scene, lamp(light));
-    let world = built(&scene);
-    let axis = light - center;
-    let middle = light - light.y() / axis.y() * axis;
-    for i in 0..12 {
-        let phi = TAU * f64::from(i) / 12.0;
-        let out = Vector::new(cos(phi), 0.0, sin(phi));
-        let (mut inner, mut outer) = (0.0, 6.0);
-        for _ in 0..60 {
-            let s = 0.5 * (inner + outer);
-            let down = look(&world, middle + s * out + 0.01 * Vector::Y, -Vector::Y);
-            if down.is_black() { inner = s } else { outer = s }
-        }
-        let edge = middle + inner * out - light;
-        let distance = (center - light).cross(edge).length() / edge.length();
-        assert!((distance / radius - 1.0).abs() < 1e-12, "{phi}: {distance}");
     }
 }

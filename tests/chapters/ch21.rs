@@ -6,7 +6,6 @@
 //! | transforming normals | the normal of a sphere stretched by (1, 2, 1), where it was at 45°, tilts to (2, 1)/√5, away from the stretch | `instances::normals_tilt_by_the_inverse_transpose` |
 //! | 21.4, instances | a million copies share one mesh | `local::a_million_copies_hold_one_mesh` |
 //! | the texture of an instance | with and without `transform_texture` only the local point differs, and that by `M⁻¹` exactly | `local::untransformed_textures_differ_by_the_map_of_the_local_point_alone` |
-//! |  | of two nested instances an inner `transform_texture = false` undoes the inner map alone: the texture still moves with the outer one; an outer one undoes both | `local::a_nested_instance_undoes_its_own_map_alone` |
 //! | nested objects and their materials | an instance of an instance is the instance of the product | `instances::an_instance_of_an_instance_is_the_instance_of_the_product` |
 //! |  | nested compounds are their parts in one list: at equal distances the first leaf is hit, `t` and surface are the leaf's own, and of the materials around a part the innermost counts, or the scene's choice if there is none; it says whether the part casts a shadow | `nested::nested_compounds_equal_the_same_parts_in_one_list` |
 //! | 21.5, beveled objects | a beveled box, cylinder, ring or wedge is closed; its inside is what is at most the bevel away from the solid that is smaller by the bevel on each side | `beveled::a_beveled_solid_is_what_is_within_the_bevel_of_a_smaller_one` |

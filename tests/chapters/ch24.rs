@@ -17,7 +17,7 @@
 //! |  | two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is dimmed k times | `pictures::facing_mirrors_show_a_row_of_rooms` |
 //! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `leaning::a_smooth_mirror_sends_no_ray_inside` |
 //!
-//! Beyond the book: 1 in this file, 1 in `leaning`, 1 in `tests/laws/ch24.toml`.
+//! Beyond the book: 1 in this file, 1 in `tests/laws/ch24.toml`.
 
 mod leaning;
 mod pictures;

@@ -24,7 +24,6 @@
 //! |  | the transmittance is 1 wherever σ or t is 0, also if the other is ∞; otherwise an infinite σ or t is black | `fresnel::transmittance_is_one_without_medium_or_without_length` |
 //! |  | a tinted ball of index 1 lets `cf^(2√(r² − p²))` through at distance p from its centre, by Beer's law | `a_tinted_ball_filters_by_the_length_of_its_chord` |
 //! |  | the filters of two slabs multiply: `cf^(t₁ + t₂)`, at an angle `cf^((t₁ + t₂)/cosθ)` | `tinted_slabs_multiply` |
-//! |  | Beer's law on a wedge: across an edge of an absorbing medium of index 1, whose thickness grows by 2 for each unit, a row of pixels falls exponentially, each channel by its own σ, and each pixel is the mean over its width | `pictures::a_wedge_dims_a_row_of_pixels_as_beer_says` |
 //! |  | each ray is dimmed by the medium it is in, over its own length, also after total reflection and between nested bodies | `each_ray_is_dimmed_by_its_own_medium` |
 //! |  | in a medium that absorbs, what is infinitely far away is black, in the channels that it absorbs only; clear channels pass unchanged | `the_background_behind_an_absorbing_medium_is_black` |
 //! |  | a slab transmits `(1 − R)² a/(1 − R² a²)` and reflects `R + (1 − R)² R a²/(1 − R² a²)`, `a = exp(−σ T/cosθ_t)`, at every angle and under every tracer that follows glass: exactly with ray trees, and in the mean with paths | `an_absorbing_slab_sums_the_series_under_every_tracer` |
@@ -35,7 +34,7 @@
 //! |  | straight down through the water of the glass, light passes 1.2 of water and, in the base, .3 of glass, and the reflections are those of water, water to glass, and glass to air | `vessels::straight_down_a_glass_of_water_light_passes_three_boundaries` |
 //! |  | the meniscus of the fish bowl is tangent to the water's level and to the glass: x_c = .901388, y_c = .3, β = 18.408° | `vessels::the_meniscus_touches_level_and_glass_without_an_angle` |
 //!
-//! Beyond the book: 2 in `fresnel`, 3 in `recorded_optics`, 3 in `shadows`, 5 in `tests/laws/ch28.toml`.
+//! Beyond the book: 1 in `fresnel`, 2 in `recorded_optics`, 3 in `shadows`, 5 in `tests/laws/ch28.toml`.
 
 mod fresnel;
 mod pictures;

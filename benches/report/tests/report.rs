@@ -95,23 +95,6 @@ fn the_report_holds_every_shape_and_family() {
     let rays: u64 = kinds.iter().map(|kind| kind["cases"].as_u64().expect("a count")).sum();
     let all = rays * Family::ALL.len() as u64;
     assert!(2 * judged > all && judged <= all, "{judged} of {all} are judged");
-    for (kind, name, family) in families() {
-        // at edges and for rays almost parallel to a plane, rounding decides almost all cases
-        let is_open = name == "EdgesAndCorners" || (kind, name) == ("Plane", "Tangent");
-        assert!(is_open || family["judged"].as_u64() > Some(0), "{kind} {name}");
-        let cases = kinds.iter().find(|k| k["kind"] == kind).and_then(|k| k["cases"].as_u64());
-        // a ray that starts on a closed surface and goes in meets it again
-        let is_closed = ["Sphere", "Cuboid", "Torus", "ThickRing", "RandomSpheres"];
-        if name == "OnSurface" && is_closed.contains(&kind) {
-            let [hits, judged] = ["hits", "judged"].map(|key| family[key].as_u64());
-            assert!(hits.map(|n| 4 * n) > judged, "{kind}: {family}");
-        }
-        assert!(
-            family["refused"].is_u64()
-                && family["refused"].as_u64() <= cases.map(|all| all.div_ceil(10)),
-            "{kind} {name}"
-        );
-    }
 }
 
 /// Law: our routines lose and invent no hit, and are right within 100 u·cond. Oracle: 512-bit arithmetic.
@@ -201,12 +184,15 @@ fn timeless(value: &Value) -> Value {
     }
 }
 
-/// Law: the same seed gives the same report, except for the times. Oracle: a second run.
+/// Law: the same seed gives the same report, except for the times, on one thread and on two. Oracle: each other.
 #[test]
 fn a_report_is_the_same_each_time_but_for_the_times() {
     let tiny =
         Settings { cases: 8, objects: 316, samples: 16, pixels: 3, seeds: 2, width: 4, ..SMALL };
-    let [first, again] = [(); 2].map(|()| measure(PAGES, &tiny).json["pages"].clone());
+    let [first, again] = [1, 2].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        pool.install(|| measure(PAGES, &tiny).json["pages"].clone())
+    });
     for page in PAGES.iter().map(|page| page.name) {
         assert!(timeless(&again[page]) == timeless(&first[page]), "{page} differs");
         assert!(timeless(&again[page]) != again[page], "there are times in {page}");

@@ -1,12 +1,10 @@
 //! Counts and closed forms of the view of rays: how many pieces are drawn and numbered, what hides, where the camera stands.
 
 use explain::RecordedRay;
-use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
-use groundtruth::rgb::Rgb;
+use groundtruth::math::{Point, Ray, Span, cos_degrees, sin_degrees};
 use groundtruth::world::World;
-use space::{Backdrop, End, Orbit, hiding, of_scene, of_segments, segments, svg_of_rays};
+use space::{End, Orbit, hiding, of_scene, of_segments, segments, svg_of_rays};
 
-use super::seen::{MATTE, ball};
 use super::support::{DOWN, FRONT, WHITE, built, light, object, traced};
 
 pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
@@ -91,34 +89,6 @@ fn what_hides_a_fifth_is_looked_through() {
         }
     }
     assert!(seen.iter().all(|n| *n > 3), "screens that are left, and looked through: {seen:?}");
-}
-
-/// Law: seen through a faded ball, colours add up by opacities: 0.1 where the surface is seen straight, 0.1 + 0.5 (1 − cos)²
-/// elsewhere; a surface under an angle is darker by 0.3 + 0.7 cos; where nothing is, there is 0.012 of grey. Oracle: the sum by
-/// hand, of front, back and void.
-#[test]
-fn a_faded_ball_adds_up_its_two_sides_and_the_void() {
-    let world = ball(MATTE);
-    let void = [0.012; 3];
-    for x in [0.0, 0.3, 0.6, 0.8, 0.96] {
-        let cosine = f64::sqrt(1.0 - x * x);
-        let own = [0.75, 0.25, 0.0].map(|c| (0.3 + 0.7 * cosine) * c);
-        let opacity = 0.1 + 0.5 * (1.0 - cosine) * (1.0 - cosine);
-        let ray = Ray::new(Point::new(x, 0.0, 5.0), -Vector::Z);
-        let (opaque, _) = Backdrop { world: &world, faded: &[] }.seen(&ray);
-        let (faded, _) = Backdrop { world: &world, faded: &[0] }.seen(&ray);
-        let (white, _) = Backdrop { world: &world, faded: &[0] }.seen_before(&ray, Rgb::WHITE);
-        let [opaque, faded, white] = [opaque, faded, white].map(Rgb::to_array);
-        for k in 0..3 {
-            let left = 1.0 - opacity;
-            let both = opacity * own[k] * (1.0 + left);
-            near(opaque[k], own[k], 1e-9, "an opaque surface");
-            near(faded[k], both + left * left * void[k], 1e-9, "a faded ball before the void");
-            near(white[k], both + left * left, 1e-9, "a faded ball before white");
-        }
-    }
-    let beside = Ray::new(Point::new(2.0, 0.0, 5.0), -Vector::Z);
-    assert_eq!(Backdrop { world: &world, faded: &[] }.seen(&beside).0.to_array(), void, "the void");
 }
 
 /// Law: turning adds angles, modulo a whole turn, up to straight down and straight up; panning by (1, 0) and (0, 1) moves the

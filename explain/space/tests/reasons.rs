@@ -1,8 +1,8 @@
 //! Reasons at their borders: what ends a ray, which of two blocks, backs, and the whole surfaces of parts.
 
-use space::why_not::{WhyNot, WhyNotAnswer};
+use space::why_not::WhyNotAnswer;
 
-use super::support::{WHITE, built, object};
+use super::support::object;
 use super::why_not::{BALL, ask, near, scene};
 
 /// A lamp at (−2, 0, 5), which the pixel (4, 2) sends the shadow ray 1 to: (2, 0, −3) + s (−4, 0, 8).
@@ -83,87 +83,6 @@ fn the_back_of_a_one_sided_opaque_surface_is_dark() {
             assert_eq!(found.answer, expected, "{material}, front {front}");
         }
     }
-}
-
-/// Law: what is switched off answers as if it were on, with the routines of the scene or its own. Closed form: the ball's front is
-/// 9 before the camera.
-#[test]
-fn an_object_that_is_off_is_built_with_its_routines() {
-    let textbook = "intersect = \"textbook\"\nepsilon = 0.5";
-    for (of_scene, own) in [
-        ("", ""),
-        (textbook, ""),
-        ("", textbook),
-        // the epsilon is only allowed because the other object uses it
-        ("epsilon = 0.5", ""),
-    ] {
-        let other = object(
-            "other",
-            &format!("{textbook}\nshape.sphere = {{ center = [9, 9, 9], radius = 1 }}"),
-        );
-        let ball = object("ball", &format!("enabled = false\n{own}\n{BALL}"));
-        let found = ask(&scene(&format!("{of_scene}\n{other}{ball}")), [2, 2], 0, "ball");
-        assert_eq!(found.answer, WhyNotAnswer::SwitchedOff, "with `{of_scene}` and `{own}`");
-        near(found.meets.expect("it would be met").t, 9.0);
-    }
-}
-
-/// Law: the whole of a cylinder or a paraboloid goes on for at least a hundred thousand times its size, on both sides, whatever
-/// its size and place. Closed form: along the line (0, y) to −z the cylinder is met where z = r, the paraboloid y = h (z/r)²
-/// where z = r √(y/h).
-#[test]
-fn a_whole_goes_on_without_end() {
-    for (y0, y1, radius) in [
-        (0.0, 1.0, 1.0),
-        (5.0, 105.0, 0.5),
-        (-3.0, -2.999, 2.0),
-        (-2.0, 0.0, 1.0),
-        (0.0, 1e-3, 1e-3),
-    ] {
-        let size = y1 - y0 + radius;
-        for y in [y1 + 1e5 * size, y0 - 1e5 * size] {
-            for (shape, whole) in [
-                (
-                    format!("open_cylinder = {{ y0 = {y0}, y1 = {y1}, radius = {radius} }}"),
-                    "cylinder without ends",
-                ),
-                (
-                    format!(
-                        "part_cylinder = {{ y0 = {y0}, y1 = {y1}, radius = {radius}, phi = [10, 300] }}"
-                    ),
-                    "cylinder without ends",
-                ),
-            ] {
-                let found = seen_from(y, &shape);
-                let WhyNotAnswer::OutsidePart { whole: named, at } = found.answer else {
-                    panic!("{shape} from y = {y}: {:?}", found.answer)
-                };
-                assert_eq!(named, whole, "the whole of {shape}");
-                near(at.t, 10.0 - radius);
-            }
-        }
-    }
-    for (height, radius) in [(1.0, 1.0), (100.0, 0.5), (1e-3, 1e-3)] {
-        let y: f64 = 1e5 * height;
-        let shape = format!("paraboloid = {{ height = {height}, radius = {radius} }}");
-        let found = seen_from(y, &shape);
-        let WhyNotAnswer::OutsidePart { at, .. } = found.answer else {
-            panic!("{shape} from y = {y}: {:?}", found.answer)
-        };
-        // the camera may be inside
-        let z: f64 = radius * (y / height).sqrt();
-        near(at.t, if z < 10.0 { 10.0 - z } else { 10.0 + z });
-    }
-}
-
-/// Why the ray along (0, y) to −z does not hit a shape.
-fn seen_from(y: f64, shape: &str) -> WhyNot {
-    let text = format!(
-        "image = {{ width = 1, height = 1 }}\n\
-         camera = {{ eye = [0, {y}, 10], look_at = [0, {y}, 0], lens.orthographic = {{}} }}\n{WHITE}{}",
-        object("part", &format!("shape.{shape}"))
-    );
-    ask(&built(&text), [0, 0], 0, "part")
 }
 
 /// Law: a ray that passes a part meets its whole elsewhere. Closed forms: along the line (x, y) to −z, the plane z = 0 is met

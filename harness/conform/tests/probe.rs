@@ -5,7 +5,6 @@ mod borders;
 mod errors;
 mod eyes;
 mod grid;
-mod inside;
 mod lobes;
 mod radiance;
 

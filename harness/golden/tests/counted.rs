@@ -137,6 +137,22 @@ fn drift_is_relative_for_all_sizes_and_signs() {
     assert!(seen.iter().all(|n| *n > 20), "verdicts seen: {seen:?}");
 }
 
+/// Law: bits are compared, not values; what is not a number is never drift, and the worst; other sizes are a change.
+/// Oracle: pictures by hand.
+#[test]
+fn what_is_not_a_number_is_the_worst() {
+    let grey = film(8, 6, |_, _| Rgb::grey(0.5));
+    let mut other = film(8, 6, |_, _| Rgb::grey(0.5));
+    other.set([1, 2], Rgb::grey(9.0));
+    other.set([3, 0], Rgb::new(0.5, f64::NAN, 0.5));
+    assert_eq!(verdict(&grey, &other), GoldenStatus::Changed, "NaN against a number");
+    assert_eq!(verdict(&other, &other), GoldenStatus::Same, "the same bits");
+    let found: Vec<_> = differences(&grey, &other).iter().map(|d| d.pixel).collect();
+    assert_eq!(found, [[3, 0], [1, 2]], "the worst first");
+    let [wide, high] = [[8, 6], [6, 8]].map(|[width, height]| Film::new(width, height));
+    assert_eq!(verdict(&wide, &high), GoldenStatus::Changed, "another size");
+}
+
 /// Law: differing pixels are listed with their place, both colours and their largest channel's difference, the largest
 /// first, and equal ones by rows. Oracle: the differences, set by hand in another order.
 #[test]

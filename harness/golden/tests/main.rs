@@ -3,7 +3,6 @@
 #[macro_use]
 extern crate testkit;
 
-mod compare;
 mod counted;
 mod goldens;
 mod review;

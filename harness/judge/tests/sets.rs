@@ -21,30 +21,6 @@ use testkit::as_many;
 
 const LEVEL: f64 = 0.01;
 
-/// Law: the probability of pictures of one pixel is that of Fisher's exact test of their means. Oracle: all subsets of five
-/// of ten values, by their bits.
-#[test]
-fn the_probability_of_one_pixel_is_that_of_the_exact_test() {
-    for seed in 0..20 {
-        let mut random = Pcg32::new(seed, 3);
-        let values: Vec<f32> = (0..10).map(|_| 1.0 + random.uniform() as f32).collect();
-        let all: Vec<Picture> =
-            values.iter().map(|value| Picture::of_radiance(&[*value; 3], [1, 1])).collect();
-        let total: f64 = values.iter().map(|value| f64::from(*value)).sum();
-        let apart = |subset: u32| {
-            let sum: f64 =
-                (0..10).filter(|i| subset >> i & 1 == 1).map(|i| f64::from(values[i])).sum();
-            (2.0 * sum - total).abs()
-        };
-        let subsets = (0_u32..1 << 10).filter(|subset| subset.count_ones() == 5);
-        let as_far = subsets.filter(|subset| apart(*subset) >= apart(0b11111) - 1e-6).count();
-        let verdict = verdict(&all[..5], &all[5..]);
-        assert_eq!(verdict.method, Method::Divisions { count: 126, is_all: true });
-        let exact = as_far as f64 / 252.0;
-        assert!((verdict.probability - exact).abs() < 1e-9, "seed {seed}: {exact}, {verdict}");
-    }
-}
-
 /// The number of honest pairs of sets, and of those that are said to differ.
 fn alarms(noise: Noise, sizes: [u64; 2], pairs: u64) -> u64 {
     let differs = |seed: &u64| {
@@ -281,21 +257,4 @@ fn regions_are_named() {
     let black = found.means.iter().find(|means| means.name == "region #000000").expect("listed");
     let [_, low, high] = black.relative.expect("it is not black");
     assert!(low < 0.0 && 0.0 < high, "{black:?}");
-}
-
-/// Law: the page has the sentence of the verdict as its headline and frames each area. Oracle: the verdict.
-#[test]
-fn the_page_begins_with_the_verdict() {
-    let before = pictures(Noise::Even, 0..5);
-    let after = brighter(&pictures(Noise::Even, 5..10), 3.0, |[x, y]| x < 8 && y < 8);
-    let found: SetsVerdict = verdict(&before, &after);
-    let told = text::told::Told {
-        verdict: found.sentence(),
-        details: found.details(),
-        next: String::new(),
-    };
-    let page = judge::sets::page(&found, &told);
-    let headline = page.split_once("<h1>").and_then(|(_, rest)| rest.split_once("</h1>"));
-    assert_eq!(headline.map(|(headline, _)| headline), Some(&*found.sentence()), "{page}");
-    assert_eq!(page.matches("<i title=").count(), found.areas.len());
 }

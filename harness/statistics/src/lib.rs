@@ -15,7 +15,6 @@
 //! | do two renderers' means agree? | [`means::two_samples`] |
 //! | how fast does an error fall? | [`slope::power_law`] |
 //! | at what level, if there are many tests? | [`significance::sidak`] |
-//! | how uncertain is a counted rate? | [`significance::proportion`] |
 //! | which values are far from the others? | [`outliers()`] |
 
 pub mod chi_square;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use groundtruth::math::{Pcg32, cos, exp, ln, sin};
+use groundtruth::math::{Pcg32, cos, ln, sin};
 
 /// Each checker passes correct samples at this level: no false alarm for fixed seeds.
 pub(super) const LEVEL: f64 = 1e-6;
@@ -68,15 +68,4 @@ pub(super) fn bent(n: usize, delta: f64, seed: u64) -> Vec<f64> {
     let mut random = Pcg32::new(seed, 2);
     let bend = |x: f64| x + delta * sin(PI * x);
     (0..n).map(|_| bend(random.uniform())).collect()
-}
-
-/// Points of `3 x^slope` with noise of this relative size.
-pub(super) fn power_of(slope: f64, noise: f64, seed: u64) -> Vec<(f64, f64)> {
-    let mut random = Pcg32::new(seed, 3);
-    (0..12)
-        .map(|i| {
-            let x = exp(f64::from(i));
-            (x, 3.0 * exp(slope * f64::from(i) + noise * normal(&mut random)))
-        })
-        .collect()
 }

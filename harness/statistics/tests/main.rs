@@ -5,5 +5,4 @@ extern crate testkit;
 
 mod biased_samples;
 mod laws;
-mod many_seeds;
 mod reference;

@@ -51,7 +51,6 @@ fn value_of(function: &str, arguments: &[Vec<f64>]) -> Vec<f64> {
             quantile(&values, one(1)).into_iter().collect()
         }
         "sidak" => vec![significance::sidak(one(0), one(1) as usize)],
-        "proportion" => significance::proportion(one(0) as u64, one(1) as u64, one(2)).to_vec(),
         other => panic!("no function {other}"),
     }
 }

@@ -67,13 +67,3 @@ fn the_document_shows_what_is_printed() {
     }
     assert_eq!(count, 3, "two cards of the tour, and one of the wrong adapter");
 }
-
-/// Law: a line `…` stands for any lines, and only that. Oracle: texts by hand.
-#[test]
-fn lines_left_out_are_any_lines() {
-    assert!(shows("a\n…\nd\n", "a\nb\nc\nd\n"));
-    assert!(shows("a\n…\nb\n…\nd\n", "a\nb\nc\nd\n"));
-    assert!(!shows("a\n…\nd\n", "a\nb\nd\nc\n"));
-    assert!(!shows("a\n", "a\nb\n"));
-    assert!(!shows("b\n", "a\nb\n"));
-}

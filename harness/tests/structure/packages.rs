@@ -56,15 +56,3 @@ fn packages_use_those_below_them() {
         members.iter().filter(|it| !it.as_str().is_some_and(|it| it.starts_with("tests")));
     assert_eq!(products.count() + 1, rows.len());
 }
-
-/// Law: no product includes the file of a test. Oracle: the sources.
-#[test]
-fn no_product_includes_a_test() {
-    let folders = rows().into_iter().map(|row| root().join(row.folder).join("src"));
-    for folder in folders.chain([root().join("harness/cli")]).filter(|folder| folder.exists()) {
-        for file in super::rust_files(&folder) {
-            let text = read(&file);
-            assert!(!text.contains("#[path"), "{} includes another file", file.display());
-        }
-    }
-}

@@ -176,17 +176,6 @@ fn exposure_changes_the_screen_and_not_the_picture() {
     assert_eq!(film(&window), before);
 }
 
-/// Law: the window shows the pixel under the mouse and its radiance.
-#[test]
-fn the_pixel_under_the_mouse_is_shown() {
-    let mut window = glass_window();
-    let at = on_screen(&window, [20, 30]);
-    hover(&mut window, at);
-    let radiance = window.state().session.rendering.canvas.look(|film| film.get([20, 30]));
-    let text = format!("(20, 30)  {}", text::brief::short(radiance));
-    assert!(window.query_by_label(&text).is_some());
-}
-
 /// Compares a part of the window with its committed picture; a few pixels at the edges of glyphs
 /// may differ.
 fn snapshot(window: &mut Window, name: &str, part: Rect) {

@@ -11,9 +11,7 @@
 //! |  | `p − q` leads from q to p; points move by vectors; distances are lengths | `vectors::points_move_by_vectors` |
 //! |  | the vector product is right-handed: x × y = z | `vectors::vector_products_are_right_handed` |
 //! |  | `\|u × v\|² + (u·v)² = \|u\|² \|v\|²` (Lagrange), exactly | `vectors::vector_and_scalar_product_share_the_lengths` |
-//! | transforming points, vectors and normals | points move with a translation, vectors do not; otherwise alike: `T(p) − T(q) = T(p − q)` | `transforms::vectors_ignore_translations` |
-//! |  | a transformed normal is perpendicular to every transformed tangent: `M⁻ᵀn · M v = n·v` | `transforms::normals_stay_perpendicular` |
-//! |  | stretching a sphere along an axis moves its points towards that axis, but turns its normals away from it | `transforms::normals_of_an_ellipse_are_its_gradient` |
+//! | transforming points, vectors and normals | stretching a sphere along an axis moves its points towards that axis, but turns its normals away from it | `transforms::normals_of_an_ellipse_are_its_gradient` |
 //! | solid angles | the solid angle of an octant is π/2, however the frame is turned | `angles::octants_have_an_eighth_of_the_sphere` |
 //! | equation 2.12, the integral of cosⁿθ over the hemisphere | `∫ cosⁿθ dω = 2π/(n + 1)` over the hemisphere | `angles::powers_of_the_cosine_integrate_over_the_hemisphere` |
 //! | 2.11, random numbers | uniform numbers are in [0, 1), the largest being 1 − 2⁻⁵³ and never 1 (the book's can be 1): the multiples of 2⁻⁵³, each of the 53 bits a fair coin | `random::uniform_numbers_are_half_open_with_53_fair_bits` |
@@ -25,13 +23,12 @@
 //! |  | the directions (1, 0, 0), (0, 1, 0) and (0, 0, 1) of a frame are u, v and w in the world; going there and back changes nothing, and lengths stay | `frames::coordinates_go_there_and_back` |
 //! | equation 2.15, geometric series | `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1 (the book prints n for j in the summand); six terms with a = 1 and r = ½ make 1.968 75 | `powers::geometric_series_add_up` |
 //!
-//! Beyond the book: 1 in `angles`, 2 in `frames`, 5 in `powers`, 6 in `random`, 5 in `roots`, 1 in `statistics`, 5 in `vectors`.
+//! Beyond the book: 1 in `angles`, 2 in `frames`, 5 in `powers`, 6 in `random`, 5 in `roots`, 5 in `vectors`.
 
 mod angles;
 mod frames;
 mod powers;
 mod random;
 mod roots;
-pub mod statistics;
 mod transforms;
 mod vectors;

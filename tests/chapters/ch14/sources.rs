@@ -105,31 +105,4 @@ proptest! {
         );
     }
 
-    /// Law: the light of a point or spot light fades as `d^−k` along any direction, in each channel alike,
-    /// for every k; the ratio at two distances on one line is `(d₁/d₂)^k`. Oracle: that power.
-    /// Book: fig. 14.11, distance attenuation.
-    #[test]
-    fn light_fades_with_the_power_of_the_distance(
-        (n, towards) in normal_and_direction_above(),
-        (near, ratio) in (0.01..100.0_f64, 1.0..50.0_f64),
-        k in prop_oneof![Just(0.0), Just(2.0), 0.0..4.0_f64],
-        is_spot in any::<bool>(),
-        color in color(),
-    ) {
-        let at = |far: f64| -> Rgb {
-            let location = Point::ORIGIN + far * towards;
-            let source: Kind = match is_spot {
-                true => Spot { attenuation: k, color, ..spot(towards, far, 10.0, 1.0, 20.0, 30.0) }
-                    .into(),
-                false => Lamp { ls: 3.0, color, location, attenuation: k }.into(),
-            };
-            seen(&plane(n, source), n)
-        };
-        let (here, there) = (at(near), at(ratio * near));
-        let expected = (3.0 * n.dot(towards) * FRAC_1_PI / power(near, k)) * color;
-        // the hit point has an error of some u of 1e-3, which matters for a near and grazing light
-        let tolerance = ROUNDING * (1.0 + k) + 64.0 * U / n.dot(towards);
-        close!(here, expected, tolerance);
-        close!(there, power(ratio, -k) * here, tolerance, "1/{ratio}^{k}");
-    }
 }

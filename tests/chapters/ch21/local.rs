@@ -57,31 +57,6 @@ fn untransformed_textures_differ_by_the_map_of_the_local_point_alone() {
     }
 }
 
-/// Law: of two nested instances an inner `transform_texture = false` undoes the inner map alone: the
-/// texture still moves with the outer one; an outer one undoes both. Oracle: the two forward maps.
-/// Book: the texture of an instance.
-#[test]
-fn a_nested_instance_undoes_its_own_map_alone() {
-    let mut draw = Draw::new(2191);
-    for _ in 0..1_000 {
-        let (inner, outer) = (steps(&mut draw), steps(&mut draw));
-        let (inside, outside) = (map(&inner), map(&outer));
-        let ray = ray_at(&mut draw, &outside.after(&inside));
-        let nested = |a, b| seen(&instance(instance(sphere(), &inner, a), &outer, b), &ray);
-        let own = nested(true, true);
-        let between = nested(false, true);
-        at_most!(between.local.distance(inside.point(own.local)), CLOSE);
-        at_most!(outside.point(between.local).distance(between.point), CLOSE);
-        for inner_moves in [true, false] {
-            let undone = nested(inner_moves, false);
-            assert_eq!(undone.local, own.point);
-        }
-        for other in [between, nested(true, false), nested(false, false)] {
-            assert_eq!(Surface { local: own.local, ..other }, own);
-        }
-    }
-}
-
 /// Law: a million copies share one mesh. Oracle: the reference count of the mesh; and the budget of
 /// triangles, which 10³ separate meshes of 9800 triangles would exceed.
 /// Book: 21.4, instances.

@@ -150,16 +150,6 @@ proptest! {
         }
     }
 
-    /// Law: whole powers are products. Oracle: multiplication one by one; exact for up to three factors.
-    #[test]
-    fn whole_powers_are_products(x in 0.0..3.0_f64, n in 0..200_u32) {
-        let product = (0..n).fold(1.0, |product, _| product * x);
-        prop_assert_eq!(power(x, 3.0), x * x * x);
-        prop_assert_eq!(power(x, 2.0), x * x);
-        prop_assert_eq!((power(x, 1.0), power(x, 0.0)), (x, 1.0));
-        let seen = power(x, f64::from(n));
-        near!(seen, product, 2.0 * f64::from(n) * U * product + f64::MIN_POSITIVE);
-    }
 }
 
 /// Law: the transmittance is 1 wherever σ or t is 0, also if the other is ∞; otherwise an infinite σ or t is

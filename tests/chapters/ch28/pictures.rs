@@ -1,9 +1,9 @@
 //! Dielectrics on whole pictures and under path tracers, against closed forms.
 
 use groundtruth::cameras::Fisheye;
-use groundtruth::render::{film_point, pixel, render};
+use groundtruth::render::{film_point, render};
 
-use super::{glass, tinted};
+use super::glass;
 use crate::prelude::*;
 use crate::support::optics;
 use crate::support::stage::*;
@@ -47,46 +47,4 @@ fn a_fisheye_under_water_sees_snells_window() {
     // the disc's share of the circle, up to its border of pixels
     let share = f64::from(seen[0]) / f64::from(seen[0] + seen[1]);
     assert!((share - power(48.7535 / 90.0, 2.0)).abs() < 0.01, "{share}");
-}
-
-/// Law: Beer's law on a wedge: across an edge of an absorbing medium of index 1, whose thickness grows by 2
-/// for each unit, a row of pixels falls exponentially, each channel by its own σ, and each pixel is the mean
-/// over its width. Oracle: `cf^(2(√2 − |x|))` at the middle and its integral over the pixel; replicas.
-/// Book: 28.4, colour filtering.
-#[test]
-fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
-    const SIDE: f64 = 0.2;
-    // a ray that hits the edge itself starts beside it by 4096 roundings of coordinates up to 4
-    const AT_EDGE: f64 = 4.0 * 4.0 * 4096.0 * U;
-    let sigma = Rgb::new(0.9, 0.0, 0.35);
-    let mut scene = deep_stage(Rgb::WHITE, 2);
-    scene.camera.eye = Point::new(0.0, 10.0, 0.0);
-    scene.camera.up = -Vector::Z;
-    (scene.image.width, scene.image.height, scene.image.pixel_size) = (13, 3, SIDE);
-    let block = boxed(Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0));
-    let turned = Instance::new(block, vec![Step::RotateZ(45.0)]);
-    put(&mut scene, turned, glass(tinted(1.0, sigma), Medium::default()));
-    let depth = |x: f64| 2.0 * (std::f64::consts::SQRT_2 - x.abs());
-    let row = render(&built(&scene));
-    let spread = with_samples(scene.clone(), 16);
-    for column in 0..13 {
-        let x = SIDE * (f64::from(column) - 6.0);
-        let expected = sigma.map(|sigma| exp(-sigma * depth(x)));
-        let found = row.get([column, 1]);
-        close!(found, expected, if column == 6 { AT_EDGE } else { 64.0 * U }, "x = {x}");
-        // from the middle out; the pixel over the edge itself is the same on both sides of it
-        let [near, far] = match column {
-            6 => [0.0, 0.5 * SIDE],
-            _ => [x.abs() - 0.5 * SIDE, x.abs() + 0.5 * SIDE],
-        };
-        let mean = sigma.map(|sigma| match sigma {
-            0.0 => 1.0,
-            _ => {
-                let [a, b] = [near, far].map(|x| exp(-sigma * depth(x)));
-                (b - a) / (2.0 * sigma * (far - near))
-            }
-        });
-        let found = replicas(&spread, |world| pixel(world, [column, 1]));
-        assert_color(&format!("x = {x}"), &found, mean, 13, 0.01);
-    }
 }

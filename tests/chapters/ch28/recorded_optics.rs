@@ -1,7 +1,6 @@
 //! What the recorder reports about refraction: the numbers that `explain` and the inspector show.
 
 use explain::{RecordedHit, RecordedRay};
-use groundtruth::trace::TermSource;
 use testkit::properties::*;
 
 use super::{child, glass, tinted};
@@ -96,28 +95,4 @@ fn a_transparent_surface_tells_its_constant_shares() {
 fn transparent(eta: f64) -> Transparent {
     let phong = materials::Phong::default();
     Transparent { phong, kr: 0.0.into(), cr: Rgb::WHITE.into(), kt: 0.0.into(), eta }
-}
-
-/// Law: a matte term is recorded as reflectance, cosine and light: `ρ/π · cos θ · L`. Oracle: `k_d c_d`, an
-/// angle of 60° and a lamp of 3 (ch. 14).
-#[test]
-fn a_matte_term_is_reflectance_and_cosine_and_light() {
-    let mut scene = deep_stage(Rgb::BLACK, 1);
-    let cd = Rgb::new(1.0, 0.5, 0.25);
-    put(&mut scene, ground(0.0), matte(0.0, 0.8, cd));
-    let direction = at_angle(Normal::Y, 0.5, 2.0);
-    shine(&mut scene, lights::Directional { ls: 3.0, color: Rgb::WHITE, direction });
-    let tree = recorded(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y);
-    let [recorded] = &tree.root().terms[..] else { panic!("one light, one lobe") };
-    let TermSource::Direct { light, lobe, f, cos_i, pdf, traced, mis: None } = recorded.source
-    else {
-        panic!("direct light")
-    };
-    assert_eq!((light, pdf, traced, recorded.ray), (0, None, true, Some(1)));
-    let Lobe::Lambertian(lobe) = lobe else { panic!("{lobe:?}") };
-    close!(lobe.reflectance, Rgb::new(0.8, 0.4, 0.2), CLOSE);
-    close!(f, FRAC_1_PI * lobe.reflectance, CLOSE);
-    near!(cos_i, 0.5, CLOSE);
-    close!(recorded.arriving, Rgb::grey(3.0), CLOSE);
-    close!(recorded.value, 1.5 * FRAC_1_PI * Rgb::new(0.8, 0.4, 0.2), CLOSE);
 }

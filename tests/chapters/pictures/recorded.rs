@@ -46,17 +46,3 @@ fn check_tree(tree: &RayTree, what: &str) {
         assert!(!is_shadow || node.children.is_empty(), "{what}");
     }
 }
-
-/// Law: the explanation's pixel and samples are the film's. Oracle: the unrecorded rendering.
-#[test]
-fn the_explanation_is_the_picture() {
-    let scene = small("ch28/glass-sphere", 24, 24, 4);
-    let world = built(&scene);
-    for at in pixels(24, 24) {
-        let explained = explain::pixel(&scene, &world, at, None).expect("few rays");
-        assert_eq!(bits(explained.radiance), bits(render::pixel(&world, at)), "{at:?}");
-        let one = explain::pixel(&scene, &world, at, Some(2)).expect("few rays");
-        assert_eq!(bits(one.radiance), bits(explained.radiance), "{at:?}");
-        assert_eq!(bits(one.samples[0].radiance), bits(explained.samples[2].radiance), "{at:?}");
-    }
-}

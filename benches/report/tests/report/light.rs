@@ -2,10 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use report::Settings;
 use serde_json::Value;
 
-use super::{REPORT, SMALL, choices, list, measure, number, text, timeless};
+use super::{REPORT, SMALL, choices, list, number, text};
 
 fn scenes() -> &'static [Value] {
     list(&REPORT.json["pages"]["light"]["scenes"])
@@ -143,20 +142,6 @@ fn the_error_without_bias_is_the_noise() {
         (median - 1.0).abs() < ALLOWED,
         "the squared error is {median} of the variance, expected 1: {ratios:?}"
     );
-}
-
-/// Law: everything but the times is the same on one thread and on two. Oracle: each other.
-#[test]
-fn light_is_the_same_on_one_thread_and_two() {
-    let tiny = Settings { samples: 4, seeds: 2, width: 4, ..SMALL };
-    let page = report::page("light").expect("the page");
-    let of = |settings: &Settings| timeless(&measure(&[page], settings).json["pages"]);
-    let [one, two] = [1, 2].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-        pool.install(|| of(&tiny))
-    });
-    assert!(one == two);
-    assert!(one != of(&Settings { seed: 6, ..tiny }), "another seed is another report");
 }
 
 /// Law: every choice of every scene has an equal-time picture on the page, with its samples below.

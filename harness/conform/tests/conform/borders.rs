@@ -2,10 +2,8 @@
 
 use ask::{Asking, Reply, Stop, Subject};
 use conform::family::Judge;
-use conform::{Judgement, Profile, Status, laws, ours, suite};
+use conform::{Judgement, Profile, laws, ours, suite};
 use serde_json::{Value, json};
-
-use super::altered::{Altered, card_with, vector};
 
 /// Answers as we do, changed by a function.
 struct Says<F>(F);
@@ -309,41 +307,4 @@ fn near_misses_are_judged_from_their_margin_on() {
             assert_eq!(found.is_wrong(), is_judged, "a segment at {x}, {profile:?}: {found:?}");
         }
     }
-}
-
-/// Law: normals of open cylinders that are turned to the viewer pass by the book, and each such answer is counted as
-/// its convention; with care they are wrong. Oracle: the rays that meet a normal from behind, counted.
-#[test]
-fn a_convention_of_the_book_is_counted() {
-    fn turned(question: &Value, mut answer: Value) -> Value {
-        let d = vector(&question["intersect"]["ray"]["direction"]);
-        let n = vector(&answer["normal"]);
-        if !answer.is_null() && (0..3).map(|i| n[i] * d[i]).sum::<f64>() > 0.0 {
-            answer["normal"] = json!(n.map(|x| -x));
-            answer.as_object_mut().map(|fields| fields.remove("front"));
-        }
-        answer
-    }
-    let word = "intersect.open_cylinder.ordinary";
-    let all = suite::all();
-    let family = all.iter().find(|family| family.name == word).expect("it is there");
-    let cases = (family.cases)(7, 48);
-    let is_turned = |case: &&Value| {
-        ours(case).is_ok_and(|answer| turned(case, answer.clone())["normal"] != answer["normal"])
-    };
-    let expected = cases.iter().filter(is_turned).count() as u64;
-    assert!(expected > 3, "rays that meet a normal from behind: {expected}");
-    let card = card_with(&mut Altered(turned), &[word], Profile::Book, 48, false);
-    let row = &card.rows[0];
-    let found: Vec<u64> = row.conventions.iter().map(|it| it.1).collect();
-    let undecided = row.count(Status::Undecided);
-    assert_eq!(row.count(Status::Wrong), 0, "wrong answers by the book: {card}");
-    assert!(
-        found.len() == 1 && found[0] <= expected && found[0] + undecided >= expected,
-        "{found:?} by convention, not {expected}"
-    );
-    let line = format!("{} of {} by a convention of the book", found[0], row.total());
-    assert!(card.to_string().contains(&line), "no `{line}` in {card}");
-    let card = card_with(&mut Altered(turned), &[word], Profile::Careful, 48, false);
-    assert_eq!(card.rows[0].count(Status::Wrong), found[0], "wrong answers with care: {card}");
 }

@@ -82,15 +82,3 @@ fn a_line_has_an_id_and_one_reply() {
     }
     assert!(read(b"{\"answer\": 1}").is_err(), "a line without an id");
 }
-
-/// Law: of a line that cannot be read the first 200 bytes are shown. Oracle: the length of what is shown.
-#[test]
-fn bad_lines_are_shown_up_to_200_bytes() {
-    for length in [1, 199, 200, 201, 5000] {
-        let Err(Fault::Garbled(text)) = read("x".repeat(length).as_bytes()) else {
-            panic!("{length} letters are read")
-        };
-        let shown = text.matches('x').count();
-        assert_eq!(shown, length.min(200), "letters shown of {length}");
-    }
-}

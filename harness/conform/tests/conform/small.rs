@@ -7,10 +7,9 @@ use std::time::Duration;
 
 use conform::{Card, Profile, Status, card};
 use rayon::prelude::*;
-use serde_json::Value;
 use testkit::as_many;
 
-use super::altered::{card_with, families};
+use super::altered::card_with;
 
 fn run(arguments: &[&str], words: &[&str], cases: usize) -> Option<Card> {
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small.py");
@@ -48,22 +47,6 @@ fn nothing_to_judge_has_reasons() {
         said.starts_with("nothing to judge: all 5 families are unsupported; the program says: ")
     );
     assert!(said.contains("\"tracer `whitted`\" (40)"), "{said}");
-}
-
-/// Law: the tracer of mirrors is asked for only where something reflects or lets light through. Oracle: the recipes of the scene.
-#[test]
-fn whitted_is_asked_only_where_something_reflects() {
-    const KINDS: [&str; 4] = ["reflective", "glossy_reflector", "transparent", "dielectric"];
-    for family in families(&["radiance", "trace"]) {
-        for case in (family.cases)(7, 6) {
-            let data = case.as_object().and_then(|it| it.values().next()).expect("a question");
-            let scene = &data["scene"];
-            let recipes = scene["materials"].as_array().into_iter().flatten();
-            let reflects = |it: &Value| KINDS.iter().any(|kind| it["recipe"].get(kind).is_some());
-            let is_whitted = scene["tracer"].get("whitted").is_some();
-            assert!(!is_whitted || recipes.clone().any(reflects), "{}: {case}", family.name);
-        }
-    }
 }
 
 /// Mistakes of the program, each with words of the names that are right for it; without words, it has no name.

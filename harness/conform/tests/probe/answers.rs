@@ -1,43 +1,11 @@
 //! Questions about rays, cameras, samples, lights and textures, against closed forms.
 
 use serde_json::json;
-use testkit::properties::*;
 
-use super::{ask, close, numbers};
-use testkit::cases::laws;
+use super::{ask, close};
 
 /// A few dozen roundings of numbers below 100.
 const ROUNDING: f64 = 1e-12;
-
-proptest! {
-    #![proptest_config(laws())]
-
-    /// Law: the `n` draws of a pixel are the points of one of the 83 sets, each once.
-    #[test]
-    fn draws_of_a_pixel_use_up_one_set(pixel in (0_u32..4000, 0_u32..4000), seed in any::<u64>()) {
-        let sampler = json!({"multi_jittered": {}});
-        let sets = ask(&json!({"samples": {"sampler": sampler, "n": 9, "seed": seed, "sets": 83}}));
-        let sorted = |mut points: Vec<Vec<f64>>| {
-            points.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
-            points
-        };
-        let drawn: Vec<Vec<f64>> = (0..9)
-            .map(|index| {
-                let draw = json!({"pixel": [pixel.0, pixel.1], "index": index});
-                numbers(&ask(
-                    &json!({"samples": {"sampler": sampler, "n": 9, "seed": seed, "draw": draw}}),
-                ))
-            })
-            .collect();
-        let drawn = sorted(drawn);
-        let sets = sets.as_array().expect("sets");
-        prop_assert_eq!(sets.len(), 83);
-        let same = sets.iter().filter(|set| {
-            sorted(set.as_array().expect("points").iter().map(numbers).collect()) == drawn
-        });
-        prop_assert_eq!(same.count(), 1);
-    }
-}
 
 /// Law: a draw is the sample position in the pixel that the renderer uses, up to rounding on the film.
 /// Oracle: the film position minus the pixel's corner.

@@ -30,18 +30,3 @@ fn ends_of_ranges_are_answered_and_no_more() {
     }
     assert!(count > 70, "{count} values");
 }
-
-/// Law: `serve` says that all lines were answered only if none got an error, wherever it stands. Oracle: one bad line
-/// among four.
-#[test]
-fn one_bad_line_of_several_is_told() {
-    let good = r#"{"fresnel": {"eta": 1.5, "cos_i": 0.5}}"#;
-    for bad in 0..5 {
-        let lines = (0..4).map(|i| if i == bad { "{}\n".to_owned() } else { format!("{good}\n") });
-        let mut output = Vec::new();
-        let is_all = probe::serve(lines.collect::<String>().as_bytes(), &mut output);
-        assert_eq!(is_all.expect("memory"), bad == 4, "all answered, line {bad} is bad");
-        let replies = output.split(|byte| *byte == b'\n').filter(|line| !line.is_empty()).count();
-        assert_eq!(replies, 4, "replies to four lines");
-    }
-}

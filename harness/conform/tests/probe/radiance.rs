@@ -90,21 +90,6 @@ fn a_pixel_is_that_of_the_picture() {
     }
 }
 
-/// Law: random samples of a pixel of which a share p is white have the standard error
-/// `√(p (1 − p)/(n R))`, and their mean is within 5 standard errors of p (significance 6e-7). The estimate
-/// from R = 1024 replicas is good to `1/√(2 (R − 1))`, 2.2 %; five times that is allowed.
-#[test]
-fn the_standard_error_is_that_of_the_binomial_law() {
-    let (p, n, replicas) = (0.3, 4.0, 1024.0_f64);
-    let answer = ask(&json!({"radiance": {"scene": half_covered(p, "random"), "pixel": [0, 0],
-        "replicas": replicas as u32}}));
-    let expected = (p * (1.0 - p) / (n * replicas)).sqrt();
-    let found = numbers(&answer["standard_error"])[0];
-    assert!((found / expected - 1.0).abs() < 0.11, "{found} for {expected}");
-    let mean = numbers(&answer["mean"])[0];
-    assert!((mean - p).abs() < 5.0 * expected, "the mean is {mean}, not {p} ± {expected}");
-}
-
 /// Law: a ray's radiance is 1 where it hits the emissive rectangle, else that of the background.
 #[test]
 fn a_ray_sees_what_is_there() {

@@ -101,27 +101,6 @@ impl Camera {
     }
 }
 
-/// Some dozen operations on numbers of at most 1, and axes of that precision.
-const ROUNDING: f64 = 1e-14;
-
-/// Law: a picture of one sample in each pixel looks through the centres of the printed squares.
-#[test]
-fn a_single_sample_is_at_the_centre_of_the_printed_square() {
-    let scene = (gallery::find("ch03/single-sphere").expect("it is there").build)();
-    let mut scene = groundtruth::scene::Scene { lights: Vec::new(), ..scene };
-    scene.image.samples = 1;
-    scene.image.sampler = None;
-    scene.camera.lens = groundtruth::cameras::Pinhole { distance: 100.0, zoom: 2.0 }.into();
-    let Described { world, text } = described("centre", &scene);
-    let camera = Camera::of_text(&text);
-    for pixel in [[0, 0], [3, 7], [scene.image.width - 1, scene.image.height - 1]] {
-        let sample = render::camera_sample(&world, pixel, 0).expect("it is no pair");
-        let expected = camera.film(pixel, [0.5, 0.5]);
-        assert!((sample.film[0] - expected[0]).abs() < ROUNDING * 1e3, "{pixel:?}");
-        assert!((sample.film[1] - expected[1]).abs() < ROUNDING * 1e3, "{pixel:?}");
-    }
-}
-
 const LIT_SPHERE: &str = r#"
 background = [0.1, 0.2, 0.3]
 [image]

@@ -183,34 +183,6 @@ fn probabilities_of_several_are_those_of_closed_testing() {
     }
 }
 
-/// Law: tiles of several pictures are tested down to an eighth of the longer side, and objects, and no smaller tile. Oracle:
-/// the sides, for sizes on both sides of a power of two.
-#[test]
-fn tiles_are_tested_down_to_an_eighth() {
-    let random = &mut Pcg32::new(5, 42);
-    for (size, least) in [
-        ([64, 8], 8),
-        ([63, 8], 8),
-        ([65, 8], 16),
-        ([8, 64], 8),
-        ([1, 1], 1),
-        ([8, 3], 1),
-        ([9, 3], 2),
-    ] {
-        let areas = Areas::tiles(size);
-        let mut pictures =
-            || (0..3).map(|_| noisy(random, size[0] * size[1], 0.1)).collect::<Vec<_>>();
-        let tests = several(&pictures(), &pictures(), &areas);
-        let sides = tests.iter().filter_map(|it| match it.area {
-            Area::Tile { side, .. } => Some(side),
-            _ => None,
-        });
-        equal(format!("{size:?}: least side"), sides.min(), Some(least));
-        let objects = tests.iter().filter(|it| it.area == Area::Object(0)).count();
-        equal(format!("{size:?}: tests of the object"), objects, 3);
-    }
-}
-
 /// Law: the noise factor of a picture is found to 2 % (¼ and 4 to 6 %), with few or many of ours, or the mean of others; also
 /// if single pixels are bright, in theirs and in ours. Oracle: the factor of normal noise in 12,288 blocks, which chance
 /// changes by 0.8 %.

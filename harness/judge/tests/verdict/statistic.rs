@@ -1,16 +1,12 @@
 //! The statistic: ranks are fair, sums are sums.
 
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
-use judge::verdict::{
-    Areas, Bright, Evaluation, Evidence, Mean, Pool, PoolContext, Quantiser, Ranking, Stored,
-    Strictness,
-};
-use pictures::compare::{Picture, Transfer};
+use judge::verdict::{Areas, Evaluation, Evidence, Mean, Pool, PoolContext, Ranking, Strictness};
 use statistics::chi_square;
 
 use super::noise::normal as unit;
-use super::pictures::{film, films, scene, world};
+use super::pictures::{films, scene, world};
 use super::shared::FLOATS;
 
 /// Pictures of 9 × 7 pixels whose values are cubes of normal numbers of other sizes: skewed nowhere, heavy-tailed.
@@ -55,26 +51,6 @@ fn ranks(outside: u32) -> [u64; 5] {
         counts[Ranking::of(&pool, &areas, 0).as_far_as(PICTURES - 1).min(4)] += 1;
     }
     counts
-}
-
-/// Law: our values are stored as a file stores them. Oracle: the bytes of the file that `film::write` writes.
-#[test]
-fn values_are_stored_as_files_store_them() {
-    let film = film(&scene("ch26/cornell-box", [20, 20], 4), 1);
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("film.png");
-    for (gamma, out_of_gamut) in [(2.2, OutOfGamut::MaxToOne), (1.0, OutOfGamut::ClampToColor)] {
-        film::write(&film, &Tone { exposure: 1.0, gamma, out_of_gamut }, &file).expect("written");
-        let transfer = Transfer::Gamma(gamma);
-        let read = Picture::read(&file, Some(transfer)).expect("a picture");
-        let bright = Bright::Mapped(out_of_gamut);
-        let stored =
-            Stored::Integers { step: 1.0 / 255.0, transfer, quantiser: Quantiser::Rounded, bright };
-        let expected: Vec<f32> =
-            read.values.as_flattened().iter().map(|value| stored.read(*value)).collect();
-        assert_eq!(stored.values(&film), expected);
-        std::fs::remove_file(&file).expect("removed");
-    }
 }
 
 /// Law: the same pictures in another unit of radiance are the same evidence: weights are those of its square. Oracle: powers
