@@ -18,7 +18,7 @@ fn the_document_shows_what_is_printed() {
         assert!(page.contains(&row.replace("|cos θi|", "\\|cos θi\\|")), "no row for {}", law.name);
     }
     let blocks: Vec<&str> = page.split("$ groundtruth laws ").skip(1).collect();
-    assert_eq!(blocks.len(), 2, "an example of a lobe, and one of a light");
+    assert_eq!(blocks.len(), 2, "an example of a lobe, and one of a map");
     for block in blocks {
         let (line, rest) = block.split_once('\n').expect("a line");
         let (shown, _) = rest.split_once("```").expect("the end of the block");

@@ -291,7 +291,7 @@ const MAY_TOUCH: [Kind; 6] =
 #[test]
 fn the_exact_function_changes_sign_at_every_root() {
     let mut seen = 0;
-    for (kind, family, shape, ray) in everything(30) {
+    for (kind, family, shape, ray) in everything(testkit::as_many(12, 30)) {
         let answer = intersect(&shape, &ray);
         if answer.margin == 0.0 && MAY_TOUCH.contains(&kind) {
             continue; // the function stays 0 along a face or edge, and touches 0 at a tangent
@@ -326,7 +326,7 @@ fn the_exact_function_changes_sign_at_every_root() {
 /// square roots may decide differently; shapes without square roots are checked there, too.
 #[test]
 fn no_root_is_lost_and_none_invented() {
-    for (kind, family, shape, ray) in everything(60) {
+    for (kind, family, shape, ray) in everything(testkit::as_many(24, 60)) {
         let answer = intersect(&shape, &ray);
         let rounds = !matches!(
             shape,
