@@ -1,7 +1,5 @@
 //! Pictures of several seeds, rendered and timed.
 
-use std::path::Path;
-
 use rayon::prelude::*;
 
 use crate::clock::{self, Time};
@@ -44,10 +42,6 @@ impl Series {
     pub fn count(&self) -> u32 {
         (self.scenes.len() * self.seeds.len()) as u32
     }
-
-    fn shots(&self) -> impl Iterator<Item = (&Scene, u64)> {
-        self.scenes.iter().flat_map(|scene| self.seeds.iter().map(move |seed| (scene, *seed)))
-    }
 }
 
 /// Renders all pictures of all series, each on one thread and with one progress step.
@@ -55,20 +49,26 @@ pub fn rendered(
     series: &[Series],
     progress: &ReportProgress,
 ) -> Result<Vec<Pictures>, Interrupted> {
-    let shots: Vec<(&Scene, u64)> = series.iter().flat_map(Series::shots).collect();
+    let scenes: Vec<(&Scene, &[u64])> = series
+        .iter()
+        .flat_map(|series| series.scenes.iter().map(|scene| (scene, &*series.seeds)))
+        .collect();
     // in order, so that the results do not depend on the number of threads
-    let shots: Result<Vec<(Film, Time)>, Interrupted> = shots
+    let shots: Result<Vec<Vec<(Film, Time)>>, Interrupted> = scenes
         .into_par_iter()
         .with_max_len(1)
-        .map(|(scene, seed)| {
-            let world = World::build_seeded(scene, Path::new(""), seed);
-            let world = world.expect("the scenes of the pages are valid");
-            let shot = clock::time(|| picture(&world));
-            progress.step()?;
-            Ok(shot)
+        .map(|(scene, seeds)| {
+            let mut world = World::build(scene).expect("the scenes of the pages are valid");
+            let shot = |seed: &u64| {
+                world.reseed(*seed);
+                let shot = clock::time(|| picture(&world));
+                progress.step()?;
+                Ok(shot)
+            };
+            seeds.iter().map(shot).collect()
         })
         .collect();
-    let mut shots = shots?.into_iter();
+    let mut shots = shots?.into_iter().flatten();
     let of_series = |series: &Series| {
         let (films, times): (Vec<Film>, Vec<Time>) =
             shots.by_ref().take(series.count() as usize).unzip();

@@ -12,7 +12,7 @@ use serde_json::Value;
 use super::card::{Card, Failure, Row, Status};
 use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile, Wrong};
-use super::mistakes::{LEFT_HANDED, agree, always, names, suspects};
+use super::mistakes::{LEFT_HANDED, Mistake, Name, agree, always, names, suspects};
 use super::shrink;
 
 /// Cases in each family, if it is not said how many.
@@ -101,10 +101,35 @@ pub fn run(
         asked.finish(subject, options, &mut shrinking);
         watch(&asked.row);
     }
+    refute_by_others(&mut asked);
     let mut rows: Vec<Row> = asked.into_iter().map(|asked| asked.row).collect();
     agree(&mut rows);
     let is_whole = !options.interrupted.load(Ordering::Relaxed);
     Ok(Card { profile: options.profile, seed: options.seed, rows, is_whole })
+}
+
+/// Leaves out names of scenes without noise of which a right answer to another such scene of the chapter says that the program has
+/// them not: all are traced by the same code.
+fn refute_by_others(asked: &mut [Running<'_>]) {
+    let is_exact_scene =
+        |family: &Family| family.about.starts_with("scenes/") && family.name.ends_with(".values");
+    for index in 0..asked.len() {
+        let family = asked[index].family;
+        if !is_exact_scene(family) {
+            continue;
+        }
+        let mut names = std::mem::take(&mut asked[index].row.names);
+        let others = || {
+            asked
+                .iter()
+                .filter(|it| it.family.chapter == family.chapter && is_exact_scene(it.family))
+        };
+        names.retain(|name| match name {
+            Name::Known { mistake, .. } => !others().any(|other| other.refutes(mistake)),
+            Name::Factor(_) => true,
+        });
+        asked[index].row.names = names;
+    }
 }
 
 /// Asks one question of each name, until there is a reply that can be read: a program may hang at one of them.
@@ -290,12 +315,16 @@ impl<'a> Running<'a> {
         }
     }
 
+    /// Whether a right answer says that the program has not this mistake.
+    fn refutes(&self, mistake: &'static Mistake) -> bool {
+        let Some(namer) = self.family.namer else { return false };
+        guarded(|| self.right.iter().any(|right| (namer.refutes)(right, mistake))).unwrap_or(false)
+    }
+
     /// Leaves out mistakes of which a right answer says that the program has them not.
     fn refute(&self, wrong: &mut [Wrong]) {
-        let Some(namer) = self.family.namer else { return };
-        let is_refuted = |mistake| self.right.iter().any(|right| (namer.refutes)(right, mistake));
         for (mistake, _) in suspects(wrong) {
-            if guarded(|| is_refuted(mistake)).unwrap_or(false) {
+            if self.refutes(mistake) {
                 wrong.iter_mut().for_each(|one| one.clues.retain(|it| *it != mistake));
             }
         }
@@ -312,7 +341,6 @@ impl<'a> Running<'a> {
         self.row.is_left_handed = wrong.iter().any(is_left)
             && wrong.iter().all(|one| is_left(one) || one.theirs.is_empty());
         wrong.iter_mut().for_each(|one| one.clues.retain(|it| *it != &LEFT_HANDED));
-        self.right = Vec::new();
         self.row.names = guarded(|| names(&wrong)).unwrap_or_default();
         if let CommonAnswer::Always(answer) = &self.common
             && let Some(name) = always(self.family.question(), answer, &self.row.names, &wrong)

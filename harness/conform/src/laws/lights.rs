@@ -193,11 +193,10 @@ fn mean_is(symptom: &str, values: &[f64], right: f64) -> Judgement {
         return Judgement::Right(0.0);
     }
     let expected = format!("a mean of {right:.6} over all u, not {mean:.6}");
-    let mut judgement = Judgement::wrong(symptom, f64::INFINITY, expected);
-    if let Judgement::Wrong(wrong) = &mut judgement {
-        wrong.ratio = (right != 0.0).then_some(mean / right);
-    }
-    judgement
+    // a grid tells a known factor from others, and no digits of an unknown one
+    let fits = |factor: f64| (mean - factor * right).abs() <= SHARE * (factor * right).abs();
+    let factors = mistakes::FACTORS.iter().filter(|(_, factor)| fits(*factor));
+    Judgement::wrong(symptom, f64::INFINITY, expected).with(factors.map(|(mistake, _)| *mistake))
 }
 
 /// `L cos θ / pdf` of the first channel, 0 where there is no sample or it comes from below.
