@@ -21,7 +21,9 @@ use testkit::as_many;
 
 use super::{Holds, ensure};
 
-/// A law for each kind that the oracle has, and for rays and shapes that no kind's own cases contain.
+/// A law for each kind that the oracle has, and for rays and shapes that no kind's own cases contain: hit or miss, every distance
+/// and every normal are right within their condition; those of a solid are those of its parts. Oracle: 512-bit arithmetic; of an
+/// instance, with the matrix as the library has it.
 pub fn trials() -> Vec<Trial> {
     const LAW: &str = "hits_are_exact_within_their_condition";
     let mut trials = Vec::new();
@@ -29,7 +31,11 @@ pub fn trials() -> Vec<Trial> {
         let is_this = |name: String| name.to_lowercase() == entry.module.replace('_', "");
         let name = format!("{}::{}::contract::{LAW}", entry.chapter, entry.module);
         if let Some(kind) = hard::Kind::ALL.into_iter().find(|kind| is_this(format!("{kind:?}"))) {
-            trials.push(trial(name, move || of_one(kind)));
+            trials.push(trial(name, move || {
+                judge(hard_cases(kind, as_many(40, 10_000), |shape, ray, _| {
+                    Some((pair(&shape)?, ray))
+                }))
+            }));
         } else if let Some(kind) =
             composites::Kind::ALL.into_iter().find(|kind| is_this(format!("{kind:?}")))
         {
@@ -156,12 +162,6 @@ fn hard_cases(
         let (pair, ray) = change(shape, ray, index)?;
         Some(Case::of(format!("{kind:?} {family:?} {index}"), family, pair, &ray))
     })
-}
-
-/// Law: hit or miss, every distance and every normal are right within their condition; those of a solid are
-/// those of its parts. Oracle: 512-bit arithmetic; of an instance, with the matrix as the library has it.
-fn of_one(kind: hard::Kind) -> Holds {
-    judge(hard_cases(kind, as_many(40, 10_000), |shape, ray, _| Some((pair(&shape)?, ray))))
 }
 
 /// The matrices of the hard instances: scales from 10⁻⁴ to 10⁴, sheared and mirrored.

@@ -24,13 +24,6 @@ fn sheet(draw: &mut Draw) -> MeshData {
     data
 }
 
-/// The same data as lists.
-fn as_lists(data: &MeshData) -> Mesh {
-    let vertices = data.vertices.iter().map(|&v| Point::from(v)).collect();
-    let normals = data.normals.as_ref().map(|all| all.iter().map(|&n| n.into()).collect());
-    Mesh { normals, uvs: data.uvs.clone(), ..Mesh::of_lists(vertices, data.triangles.clone()) }
-}
-
 /// Law: a mesh from lists equals the mesh from a file with the same lists: equal hits, surfaces, texture
 /// coordinates and triangle numbers, to the last bit, with and without normals, smooth, scaled and
 /// reversed. Oracle: the file.
@@ -47,7 +40,11 @@ fn a_mesh_of_lists_is_the_mesh_of_the_file_with_them() {
         let file = folder.path().join(format!("{case}.ply"));
         std::fs::write(&file, write_ply(&data, Encoding::LittleEndian)).expect("writable");
         let (smooth, reverse_normals) = (case & 2 != 0, case & 4 != 0);
-        let shapes = [Mesh::of_file(file), as_lists(&data)].map(|mesh| {
+        let vertices = data.vertices.iter().map(|&v| Point::from(v)).collect();
+        let normals = data.normals.as_ref().map(|all| all.iter().map(|&n| n.into()).collect());
+        let of_lists = Mesh::of_lists(vertices, data.triangles.clone());
+        let of_lists = Mesh { normals, uvs: data.uvs.clone(), ..of_lists };
+        let shapes = [Mesh::of_file(file), of_lists].map(|mesh| {
             let mesh = Mesh { smooth, reverse_normals, scale: 0.3, ..mesh };
             shape_of(mesh)
         });

@@ -184,21 +184,15 @@ proptest! {
             let (world, ray) = (built(&scene), ray(&map));
             let hit = world.hit(&ray, groundtruth::math::Span::AHEAD).expect("aimed at");
             let expected = inside.inverse().point(hit.surface.point);
-            let found = at_hit(&world, &ray);
+            let mut response = groundtruth::materials::Response::default();
+            hit.material.recipe.respond(&hit.texture_point(), 1.0, &mut response);
+            let found = Point::from(response.ambient.to_array());
             prop_assert!(
                 found.distance(expected) <= 1e-10,
                 "the texture is evaluated at {found:?}, the point is {expected:?}"
             );
         }
     }
-}
-
-/// The local point at which the texture is evaluated at the ray's hit.
-fn at_hit(world: &groundtruth::world::World, ray: &groundtruth::math::Ray) -> Point {
-    let hit = world.hit(ray, groundtruth::math::Span::AHEAD).expect("aimed at");
-    let mut response = groundtruth::materials::Response::default();
-    hit.material.recipe.respond(&hit.texture_point(), 1.0, &mut response);
-    Point::from(response.ambient.to_array())
 }
 
 /// Law: a box stretched twofold along x, with its texture halved along x, has the checker of an

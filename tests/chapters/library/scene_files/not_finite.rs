@@ -128,14 +128,11 @@ fn check_refused(whole: &Value, place: &[String], value: f64) {
         .err()
         .unwrap_or_else(|| panic!("{place:?} may be {word}"))
         .to_string();
-    let line = 1 + text.lines().position(|line| has_word(line, word)).expect("a line");
+    let has_word = |line: &str| line.split([' ', ',', '[', ']', '{', '}']).any(|it| it == word);
+    let line = 1 + text.lines().position(has_word).expect("a line");
     let start = format!("scene.toml:{line}: ");
     assert!(error.starts_with(&start), "{place:?}: not on {start}{error}");
     let field = place.iter().rfind(|key| key.parse::<usize>().is_err());
     let path = error.split(": ").nth(1).expect("a path");
     assert!(path.contains(field.expect("a field").as_str()), "{place:?}: {error}");
-}
-
-fn has_word(line: &str, word: &str) -> bool {
-    line.split([' ', ',', '[', ']', '{', '}']).any(|part| part == word)
 }
