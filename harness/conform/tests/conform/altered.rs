@@ -1,15 +1,25 @@
-//! Our own answers, altered.
+//! Our own answers, altered; and families of one's own.
 
 use ask::{Reply, Stop, Subject};
 use std::sync::Arc;
 
-use conform::{self, Card, Options, Profile, family::Family, ours};
+use conform::family::{Family, Judge};
+use conform::{self, Card, Options, Profile, ours};
 use serde_json::{Value, json};
 
-/// Answers as we do, then changes the answer.
-pub struct Altered(pub fn(&Value, Value) -> Value);
+/// Answers by a function.
+pub struct Says<F: FnMut(&Value) -> Value>(pub F);
 
-impl Subject for Altered {
+impl<F: FnMut(&Value) -> Value> Subject for Says<F> {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        questions.iter().map(|question| Ok((self.0)(question))).collect()
+    }
+}
+
+/// Answers as we do, then changes the answer.
+pub struct Altered<F: FnMut(&Value, Value) -> Value>(pub F);
+
+impl<F: FnMut(&Value, Value) -> Value> Subject for Altered<F> {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| match ours(question) {
             Ok(answer) => Ok((self.0)(question, answer)),
@@ -28,6 +38,31 @@ pub fn families(words: &[&str]) -> Vec<Family> {
     families
 }
 
+/// A family of these cases of chapter 3.
+pub fn family(
+    name: &str,
+    judge: Judge,
+    cases: impl Fn(usize) -> Vec<Value> + Send + Sync + 'static,
+) -> Family {
+    Family {
+        name: name.to_owned(),
+        about: "tests/own".to_owned(),
+        chapter: "ch03",
+        ordinary: true,
+        share: 1.0,
+        cases: Box::new(move |_, n| cases(n)),
+        judge,
+        namer: None,
+        is_shrunk: true,
+    }
+}
+
+/// So many cases with care, none of which is made smaller.
+pub fn options(cases: usize) -> Options {
+    let (profile, interrupted) = (Profile::Careful, Arc::default());
+    Options { profile, seed: 7, cases, shrink: false, interrupted }
+}
+
 /// A run over these families.
 pub fn card(subject: &mut dyn Subject, words: &[&str], profile: Profile, cases: usize) -> Card {
     card_with(subject, words, profile, cases, true)
@@ -41,7 +76,7 @@ pub fn card_with(
     cases: usize,
     shrink: bool,
 ) -> Card {
-    let options = Options { profile, seed: 7, cases, shrink, interrupted: Arc::default() };
+    let options = Options { profile, shrink, ..options(cases) };
     conform::run(subject, &families(words), &options, &mut |_| {}).expect("it answers")
 }
 
@@ -80,6 +115,24 @@ pub fn each(value: &mut Value, of: impl Fn(f64) -> f64) {
 pub fn at(value: &mut Value, pointer: &str, of: impl Fn(f64) -> f64) {
     if let Some(value) = value.pointer_mut(pointer) {
         each(value, of);
+    }
+}
+
+/// The answer with a function applied to what is there, if it is.
+pub fn with(mut answer: Value, pointer: &str, of: impl Fn(f64) -> f64) -> Value {
+    at(&mut answer, pointer, of);
+    answer
+}
+
+/// A value with a function applied to every number.
+pub fn all_numbers(value: Value, of: &impl Fn(f64) -> Value) -> Value {
+    match value {
+        Value::Number(number) => of(number.as_f64().unwrap_or(0.0)),
+        Value::Array(items) => items.into_iter().map(|item| all_numbers(item, of)).collect(),
+        Value::Object(fields) => {
+            fields.into_iter().map(|(name, item)| (name, all_numbers(item, of))).collect()
+        }
+        other => other,
     }
 }
 

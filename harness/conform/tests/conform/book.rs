@@ -11,7 +11,7 @@ use conform::family::Judge;
 use conform::{Judgement, Options, Profile, run, suite};
 use serde_json::Value;
 
-use super::altered::families;
+use super::altered::{families, options};
 
 /// Cases of a family: enough for those that fail by the book, and soon asked.
 const CASES: usize = 8;
@@ -93,8 +93,7 @@ fn is_like(a: &Value, b: &Value) -> bool {
 
 /// What fails of the first cases of the document's seed, so that what it found in more cases is all of it.
 fn failed(program: &mut Program, profile: Profile) -> BTreeSet<String> {
-    let interrupted = <_>::default();
-    let options = Options { profile, seed: 1, cases: CASES, shrink: false, interrupted };
+    let options = Options { profile, seed: 1, ..options(CASES) };
     let card = run(program, &suite::all(), &options, &mut |_| ()).expect("it answers");
     card.rows.iter().filter(|row| row.is_failed()).map(|row| row.name.clone()).collect()
 }

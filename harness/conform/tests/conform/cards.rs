@@ -1,12 +1,13 @@
 //! What a card prints of cases whose outcomes are known.
 
 use ask::{Fault, Invocation, Reply, Stop, Subject};
-use std::sync::Arc;
 
 use conform::card::{junit, page, told};
 use conform::family::{Family, Judge};
-use conform::{Card, Judgement, Options, Profile, Rules, WHOLE, run};
+use conform::{Card, Judgement, Profile, Rules, WHOLE, run};
 use serde_json::{Value, json};
+
+use super::altered::{family, options};
 
 /// What becomes of a case, written into its question.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,26 +98,15 @@ impl Plan {
                 json!({&question: {"is": is, "outcome": outcome, "error": error}})
             })
             .collect();
-        Family {
-            name: self.name.clone(),
-            about: "tests/cards".to_owned(),
-            chapter: self.chapter,
-            ordinary: true,
-            share: 1.0,
-            cases: Box::new(move |_, n| cases[..n.min(cases.len())].to_vec()),
-            judge: Judge::Answer(judge, &WHOLE),
-            namer: None,
-            is_shrunk: false,
-        }
+        let cases = move |n: usize| cases[..n.min(cases.len())].to_vec();
+        let family = family(&self.name, Judge::Answer(judge, &WHOLE), cases);
+        Family { about: "tests/cards".to_owned(), chapter: self.chapter, ..family }
     }
 }
 
 pub fn card(plans: &[Plan]) -> Option<Card> {
     let families: Vec<Family> = plans.iter().map(Plan::family).collect();
-    let interrupted = Arc::default();
-    let options =
-        Options { profile: Profile::Careful, seed: 7, cases: 7, shrink: false, interrupted };
-    run(&mut Obedient, &families, &options, &mut |_| ()).ok()
+    run(&mut Obedient, &families, &options(7), &mut |_| ()).ok()
 }
 
 /// Law: every count on a card, of cases by status, families and chapters, in its verdict, table, page, JUnit's file and JSON,

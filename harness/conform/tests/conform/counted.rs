@@ -8,6 +8,8 @@ use conform::family::{Family, Judge};
 use conform::{Card, Judgement, NoAnswer, Options, Profile, Status, WHOLE, run, suite};
 use serde_json::{Value, json};
 
+use super::altered::{self, options};
+
 /// Keeps what it is asked, and answers by a function of the question and of how much was asked before.
 struct Heard<F> {
     heard: Vec<Value>,
@@ -55,29 +57,12 @@ fn by_law(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Result<Judgement, S
 
 /// A family of numbered cases, each of which is right if it is answered.
 fn family(name: &str, share: f64, judge: Judge) -> Family {
-    let cases = {
-        let name = name.to_owned();
-        move |_, n| (0..n).map(|is| case(&name, is)).collect()
-    };
-    Family {
-        name: name.to_owned(),
-        about: "tests/counted".to_owned(),
-        chapter: "ch03",
-        ordinary: true,
-        share,
-        cases: Box::new(cases),
-        judge,
-        namer: None,
-        is_shrunk: true,
-    }
+    let of = name.to_owned();
+    let cases = move |n| (0..n).map(|is| case(&of, is)).collect();
+    Family { share, ..altered::family(name, judge, cases) }
 }
 
 const ANSWER: Judge = Judge::Answer(|_, _, _, _| Judgement::Right(0.0), &WHOLE);
-
-fn options(cases: usize) -> Options {
-    let (profile, interrupted) = (Profile::Careful, Arc::default());
-    Options { profile, seed: 7, cases, shrink: false, interrupted }
-}
 
 fn card(subject: &mut dyn Subject, families: &[Family], cases: usize) -> Card {
     run(subject, families, &options(cases), &mut |_| ()).expect("it answers")

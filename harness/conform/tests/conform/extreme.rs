@@ -1,36 +1,12 @@
 //! Extreme answers: whatever stands in the place of each number, it is judged, and no judge fails on it.
 
-use ask::{Invocation, Reply, Stop, Subject};
-use conform::{Profile, card as cards, ours};
+use ask::Invocation;
+use conform::{Profile, card as cards};
 use groundtruth::printable;
 use serde_json::{Value, json};
 
-use super::altered::card;
+use super::altered::{Altered, all_numbers, card};
 use testkit::as_many;
-
-/// Our answers with this value in the place of each number.
-struct Extreme(Value);
-
-fn altered(answer: Value, value: &Value) -> Value {
-    match answer {
-        Value::Number(_) => value.clone(),
-        Value::Array(items) => items.into_iter().map(|item| altered(item, value)).collect(),
-        Value::Object(fields) => {
-            fields.into_iter().map(|(name, item)| (name, altered(item, value))).collect()
-        }
-        other => other,
-    }
-}
-
-impl Subject for Extreme {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let reply = |question: &Value| match ours(question) {
-            Ok(answer) => Ok(altered(answer, &self.0)),
-            Err(error) => Err(Stop::Refused(error)),
-        };
-        questions.iter().map(reply).collect()
-    }
-}
 
 /// Law: extreme numbers, and texts, in the place of numbers end nothing; the card has no fault of ours, and no character that
 /// a terminal obeys on any form. Oracle: what was planted.
@@ -64,7 +40,8 @@ fn extreme_answers_are_judged_and_command_no_terminal() {
     ];
     let count = as_many(2, values.len());
     for value in values.into_iter().take(count) {
-        let card = card(&mut Extreme(value.clone()), words, Profile::Book, 1);
+        let mut extreme = Altered(|_, answer| all_numbers(answer, &|_| value.clone()));
+        let card = card(&mut extreme, words, Profile::Book, 1);
         assert!(card.is_failed(), "{value}");
         for row in &card.rows {
             assert_eq!(row.ours, 0, "{}: faults of ours with {value}", row.name);

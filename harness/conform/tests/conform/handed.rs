@@ -39,7 +39,9 @@ fn left_handed(question: &Value, _: Value) -> Value {
 #[test]
 fn left_handed_axes_are_no_mistake() {
     let words = ["camera_ray.pinhole", "fresnel.cosine"];
-    let of = |alter| card_with(&mut Altered(alter), &words, Profile::Careful, 24, false);
+    let of = |alter: fn(&Value, Value) -> Value| {
+        card_with(&mut Altered(alter), &words, Profile::Careful, 24, false)
+    };
     let card = of(left_handed);
     assert!(card.rows.iter().filter(|row| row.count(Status::Wrong) > 0).count() >= 2, "{card}");
     assert!(verdict(&card, false).contains("left-handed axes"), "{}", verdict(&card, false));
@@ -50,10 +52,7 @@ fn left_handed_axes_are_no_mistake() {
     assert!(!card.to_string().contains("left-handed"), "{card}");
     // a sphere's normal that is turned over is another mistake
     let card = card_with(
-        &mut Altered(|_, mut a| {
-            super::altered::at(&mut a, "/normal", |x| -x);
-            a
-        }),
+        &mut Altered(|_, a| super::altered::with(a, "/normal", |x| -x)),
         &["intersect.sphere.ordinary"],
         Profile::Careful,
         24,
@@ -99,7 +98,7 @@ fn right_answers_refute_a_name() {
 /// that is needed it is wrong. Oracle: our answers without a field.
 #[test]
 fn parts_that_are_there_are_judged() {
-    let of = |alter| {
+    let of = |alter: fn(&Value, Value) -> Value| {
         card_with(&mut Altered(alter), &["fresnel.directions"], Profile::Careful, 24, false)
     };
     let card = of(|_, a| json!({"refracted": a["refracted"]}));

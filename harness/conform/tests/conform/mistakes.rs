@@ -5,7 +5,6 @@ mod lights_and_cameras;
 mod made;
 mod optics;
 pub mod planted;
-mod sampling_and_spaces;
 mod shapes;
 mod surfaces;
 
@@ -18,7 +17,7 @@ use serde_json::{Value, json};
 
 use planted::Planted;
 
-use super::altered::{Altered, at, card, data, families, swap, vector};
+use super::altered::{Altered, at, card, data, families, swap, vector, with};
 
 /// How many numbers other than 0, 1 and −1 a question has.
 fn numbers(question: &Value) -> usize {
@@ -126,12 +125,7 @@ fn mistakes_in_lights_and_cameras_are_found() {
 }
 
 #[test]
-fn mistakes_in_sampling_and_spaces_are_found() {
-    found(sampling_and_spaces::planted_here());
-}
-
-#[test]
-fn mistakes_in_surfaces_are_found() {
+fn mistakes_in_surfaces_and_spaces_are_found() {
     found(surfaces::planted_here());
 }
 
@@ -163,10 +157,7 @@ fn a_small_difference_tells_a_mistake() {
 /// Law: a constant factor that is none of the known ones is named by its number. Oracle: the factor planted.
 #[test]
 fn an_unknown_constant_factor_is_named_by_its_number() {
-    let mut subject = Altered(|_, mut a| {
-        at(&mut a, "/t", |t| 0.8 * t);
-        a
-    });
+    let mut subject = planted::Numbers("/t", |t| 0.8 * t);
     let card = card(&mut subject, &["intersect.plane.ordinary"], Profile::Careful, 24);
     let [Name::Factor(factor)] = card.rows[0].names[..] else { panic!("{:?}", card.rows[0].names) };
     assert!((factor - 0.8).abs() < 1e-9, "{factor}");
@@ -218,12 +209,8 @@ fn what_explains_nearly_all_answers_is_named() {
 /// Oracle: a normal turned to the viewer, whose sign is wrong, too.
 #[test]
 fn a_specific_name_replaces_the_sign() {
-    let mut subject = Altered(|_, mut a| {
-        if a["front"] == json!(false) {
-            at(&mut a, "/normal", |x| -x)
-        }
-        a
-    });
+    let mut subject =
+        Altered(|_, a| if a["front"] == json!(false) { with(a, "/normal", |x| -x) } else { a });
     let card = card(&mut subject, &["intersect.plane.ordinary"], Profile::Careful, 24);
     let names: Vec<String> = card.rows[0].names.iter().map(ToString::to_string).collect();
     let [name] = &names[..] else { panic!("{names:?}") };
@@ -234,18 +221,16 @@ fn a_specific_name_replaces_the_sign() {
 /// Law: the textbook's `(−b ∓ √(b² − 4ac)) / 2a` is known by its own errors. Oracle: the formula, for far and tiny spheres, which is wrong and nothing else.
 #[test]
 fn cancellation_is_named() {
-    let textbook: fn(&Value, Value) -> Value = |q, mut a| {
+    let mut textbook = Altered(|q, a| {
         let [a2, b, c] = quadratic(q);
         let root = (4.0 * b * b - 4.0 * a2 * c).sqrt();
         let ts = [(-2.0 * b - root) / (2.0 * a2), (-2.0 * b + root) / (2.0 * a2)];
         let least = data(q)["span"][0].as_f64().unwrap_or(0.0);
-        if let Some(t) = ts.into_iter().find(|t| *t > least) {
-            at(&mut a, "/t", |_| t);
-        }
-        a
-    };
+        let t = ts.into_iter().find(|t| *t > least);
+        with(a, "/t", |right| t.unwrap_or(right))
+    });
     let words = ["intersect.sphere.far_origin", "intersect.sphere.tiny_shape"];
-    let card = card(&mut Altered(textbook), &words, Profile::Careful, 40);
+    let card = card(&mut textbook, &words, Profile::Careful, 40);
     for row in &card.rows {
         assert!(row.count(Status::Wrong) > 10, "the textbook's formula loses digits: {card}");
         let [Name::Known { mistake, .. }] = &row.names[..] else {
@@ -259,11 +244,11 @@ fn cancellation_is_named() {
 /// formula of a unit sphere, which has no such error near it.
 #[test]
 fn the_other_root_is_no_lost_digit() {
-    let second: fn(&Value, Value) -> Value = |_, mut answer| match answer.as_array_mut() {
+    let mut second = Altered(|_, mut answer| match answer.as_array_mut() {
         Some(hits) if hits.len() > 1 => json!([hits.pop()]),
         _ => answer,
-    };
-    let card = card(&mut Altered(second), &["intersect.sphere.all_roots"], Profile::Careful, 40);
+    });
+    let card = card(&mut second, &["intersect.sphere.all_roots"], Profile::Careful, 40);
     let row = &card.rows[0];
     assert!(row.count(Status::Wrong) > 10, "{card}");
     let is_cancellation =
@@ -294,21 +279,26 @@ fn shadow_rays_that_never_hit_are_named() {
 /// Oracle: our normals, turned.
 #[test]
 fn conventions_of_the_book_pass_by_the_book() {
-    let turned: fn(&Value, Value) -> Value = |_, mut a| {
+    let mut turned = Altered(|_, mut a| {
         if a["front"] == json!(false) {
             at(&mut a, "/normal", |x| -x);
             a["front"] = json!(true);
         }
         a
-    };
-    let of = |kind: &str, profile: Profile| {
-        card(&mut Altered(turned), &[&format!("intersect.{kind}.around")], profile, 48)
+    });
+    let mut of = |kind: &str, profile: Profile| {
+        card(&mut turned, &[&format!("intersect.{kind}.around")], profile, 48)
     };
     for kind in ["open_cylinder", "part_cylinder", "thick_ring"] {
         let by_the_book = of(kind, Profile::Book);
         assert!(!by_the_book.is_failed(), "{by_the_book}");
-        assert!(by_the_book.to_string().contains("by a convention of the book"), "{by_the_book}");
-        let with_care = of(kind, Profile::Careful).to_string();
+        let row = &by_the_book.rows[0];
+        let [(_, count)] = row.conventions[..] else { panic!("not one convention: {by_the_book}") };
+        let said = format!("{count} of {} by a convention of the book", row.total());
+        assert!(by_the_book.to_string().contains(&said), "no `{said}`: {by_the_book}");
+        let with_care = of(kind, Profile::Careful);
+        assert_eq!(with_care.rows[0].count(Status::Wrong), count, "{with_care}");
+        let with_care = with_care.to_string();
         assert!(with_care.contains("the book does this, too (docs/book-card.md"), "{with_care}");
         assert!(with_care.contains("the book turns it to the viewer, too"), "{with_care}");
     }

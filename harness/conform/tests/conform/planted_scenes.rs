@@ -1,11 +1,10 @@
 //! Mistakes of whole scenes that are found and named.
 
-use ask::{Reply, Subject};
 use conform::{Profile, Status};
 use judge::mistakes::known;
 use serde_json::{Value, json};
 
-use super::altered::{card_with, instead};
+use super::altered::{Says, card_with, instead};
 
 /// Families, each with a mistake that it shows.
 const PLANTED: [(&str, &str); 27] = [
@@ -38,21 +37,6 @@ const PLANTED: [(&str, &str); 27] = [
     ("radiance.lamp.rectangle", "lamps-reversed"),
 ];
 
-/// Answers the question changed, with random numbers of other seeds.
-struct Planter<F>(F);
-
-impl<F: Fn(&mut Value)> Subject for Planter<F> {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let reply = |question: &Value| {
-            Ok(instead(question, |data| {
-                (self.0)(data);
-                data["seed"] = json!(data["seed"].as_u64().unwrap_or(0) + 977);
-            }))
-        };
-        questions.iter().map(reply).collect()
-    }
-}
-
 /// Whether a program that makes this change is wrong in the first cases of a family, and the names that its card has.
 fn named(family: &str, change: impl Fn(&mut Value)) -> (bool, Vec<String>) {
     // how many cases show it
@@ -63,7 +47,14 @@ fn named(family: &str, change: impl Fn(&mut Value)) -> (bool, Vec<String>) {
         _ if is_rare => 64,
         _ => 24,
     };
-    let card = card_with(&mut Planter(change), &[family], Profile::Careful, cases, false);
+    // with random numbers of other seeds
+    let mut planter = Says(|question: &Value| {
+        instead(question, |data| {
+            change(data);
+            data["seed"] = json!(data["seed"].as_u64().unwrap_or(0) + 977);
+        })
+    });
+    let card = card_with(&mut planter, &[family], Profile::Careful, cases, false);
     let row = &card.rows[0];
     (row.count(Status::Wrong) > 0, row.names.iter().map(ToString::to_string).collect())
 }

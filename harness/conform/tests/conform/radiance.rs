@@ -1,17 +1,16 @@
 //! Whole scenes: our answers against closed forms, false alarms, and the known mistakes that they show.
 
-use ask::{Asking, Reply, Subject};
+use ask::{Asking, Subject};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 use testkit::as_many;
 
 use conform::family::Judge;
 use conform::probe::mistaken::mistaken;
 use conform::{self, Card, Judgement, Options, Profile, Status, ours};
 use judge::mistakes;
-use serde_json::{Value, json};
+use serde_json::json;
 
-use super::altered::{Altered, at, families, instead, vector};
+use super::altered::{Altered, Says, families, instead, options, vector, with};
 
 /// The families of scenes that are judged by means, or the others.
 fn of_scenes(means: bool) -> Vec<conform::family::Family> {
@@ -26,8 +25,7 @@ fn run(
     seed: u64,
     cases: usize,
 ) -> Card {
-    let profile = Profile::Careful;
-    let options = Options { profile, seed, cases, shrink: false, interrupted: Arc::default() };
+    let options = Options { seed, ..options(cases) };
     conform::run(subject, families, &options, &mut |_| {}).expect("it answers")
 }
 
@@ -57,20 +55,11 @@ fn exact_scenes_are_decided() {
     }
 }
 
-/// Answers all seeds with the same random numbers.
-struct OneSeed;
-
-impl Subject for OneSeed {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let reply = |question: &Value| Ok(instead(question, |data| data["seed"] = json!(5)));
-        questions.iter().map(reply).collect()
-    }
-}
-
 /// Law: a right program that knows no seeds, and answers the same for all of them, is right. Oracle: ours with one seed.
 #[test]
 fn a_program_without_seeds_is_right() {
-    let card = run(&mut OneSeed, &of_scenes(true), 11, 8);
+    let mut one_seed = Says(|question| instead(question, |data| data["seed"] = json!(5)));
+    let card = run(&mut one_seed, &of_scenes(true), 11, 8);
     assert!(!card.is_failed(), "{card}");
 }
 
@@ -78,10 +67,7 @@ fn a_program_without_seeds_is_right() {
 /// not the one that it is told.
 #[test]
 fn means_are_held_against_other_seeds() {
-    let mut wrong_program = Altered(|_, mut answer| {
-        at(&mut answer, "/mean", |x| 3.0 * x);
-        answer
-    });
+    let mut wrong_program = Altered(|_, answer| with(answer, "/mean", |x| 3.0 * x));
     let mut count = 0;
     for family in of_scenes(true).into_iter().take(8) {
         let Judge::Law(law) = family.judge else { continue };

@@ -1,47 +1,17 @@
 //! A run: what is selected, what is left alone, and that a fault of one case, theirs or ours, costs no other.
 
 use ask::{Fault, Reply, Stop, Subject};
-use std::sync::Arc;
 
 use conform::family::{Family, Judge};
-use conform::{self, Judgement, Profile, Row, Rules, Status, WHOLE, ours};
+use conform::{self, Judgement, Options, Profile, Row, Rules, Status, WHOLE, ours};
 use conform::{card as cards, suite};
 use serde_json::{Value, json};
 
-use super::altered::card_with;
-
-fn options(cases: usize) -> conform::Options {
-    let (profile, interrupted) = (Profile::Careful, Arc::default());
-    conform::Options { profile, seed: 1, cases, shrink: true, interrupted }
-}
-
-/// A family of one number, whose judge panics at 3.
-fn fragile(name: &str, judge: Judge) -> Family {
-    Family {
-        name: name.to_owned(),
-        about: "tests/fragile".to_owned(),
-        chapter: "ch03",
-        ordinary: true,
-        share: 1.0,
-        cases: Box::new(|_, n| (0..n).map(|i| json!({"number": {"is": i}})).collect()),
-        judge,
-        namer: None,
-        is_shrunk: true,
-    }
-}
+use super::altered::{Says, card_with, family, options};
 
 fn panics_at_three(question: &Value, _: &Value, _: Profile, _: &Rules) -> Judgement {
     assert_ne!(question["number"]["is"], 3, "three is too much");
     Judgement::Right(0.0)
-}
-
-/// Answers null.
-struct Null;
-
-impl Subject for Null {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|_| Ok(Value::Null)).collect()
-    }
 }
 
 /// Law: a judge that panics costs its case, which is shown; all others are judged, and the card says whose fault it is.
@@ -52,11 +22,14 @@ fn a_judge_that_panics_costs_one_case() {
         let answer = ask.ask(case)?;
         Ok(panics_at_three(case, &answer, profile, &WHOLE))
     });
+    let cases = |n| (0..n).map(|i| json!({"number": {"is": i}})).collect();
     let families = [
-        fragile("number.answer", Judge::Answer(panics_at_three, &WHOLE)),
-        fragile("number.law", by_law),
+        family("number.answer", Judge::Answer(panics_at_three, &WHOLE), cases),
+        family("number.law", by_law, cases),
     ];
-    let card = conform::run(&mut Null, &families, &options(10), &mut |_| ()).expect("it answers");
+    let options = Options { shrink: true, ..options(10) };
+    let mut null = Says(|_| Value::Null);
+    let card = conform::run(&mut null, &families, &options, &mut |_| ()).expect("it answers");
     for row in &card.rows {
         let counts = (row.count(Status::Pass), row.count(Status::Undecided), row.ours);
         assert_eq!(counts, (9, 1, 1), "{}", row.name);

@@ -8,7 +8,7 @@ use groundtruth::math::{Step, Transform, Vector};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::super::altered::{at, data, instead, vector};
+use super::super::altered::{data, instead, vector, with};
 use super::planted::{Answer, Numbers, Question, planted};
 
 const POINT: [&str; 1] = ["light.point"];
@@ -52,7 +52,7 @@ planted! {
             data["pixel"][1] = json!(y - h % 2);
         })
     });
-    NOT_NORMALISED_LENGTH in ["camera_ray.pinhole.values"] => Answer(|q, mut a| {
+    NOT_NORMALISED_LENGTH in ["camera_ray.pinhole.values"] => Answer(|q, a| {
         // the length that has −distance along w: the axis is the ray of the middle
         let mut axis = q.clone();
         axis["camera_ray"]["image"] = json!({"width": 1, "height": 1});
@@ -62,8 +62,7 @@ planted! {
         let direction = vector(&a["direction"]);
         let cosine: f64 = (0..3).map(|i| axis[i] * direction[i]).sum();
         let distance = data(q)["camera"]["lens"]["pinhole"]["distance"].as_f64();
-        at(&mut a, "/direction", |x| x * distance.unwrap_or(1.0) / cosine);
-        a
+        with(a, "/direction", |x| x * distance.unwrap_or(1.0) / cosine)
     });
     EYES_EXCHANGED in ["camera_ray.stereo"] =>
         Question(|data| data["eye"] = json!(if data["eye"] == "left" { "right" } else { "left" }));
@@ -71,15 +70,14 @@ planted! {
     "rays and points disagree" in ["camera_ray.fisheye.there_and_back"] => Numbers("/image", |x| x + 0.25);
     "pdf × 7" in SAMPLED => Numbers("/pdf", |x| 7.0 * x);
     "the cosine left out of the pdf of a lamp" in LAMPS =>
-        Answer(|q, mut a| { let cosine = cosine_at_lamp(q, &a); at(&mut a, "/pdf", |x| cosine * x); a });
-    "the square of the distance left out of the pdf" in LAMPS => Answer(|_, mut a| {
+        Answer(|q, a| { let cosine = cosine_at_lamp(q, &a); with(a, "/pdf", |x| cosine * x) });
+    "the square of the distance left out of the pdf" in LAMPS => Answer(|_, a| {
         let distance = a["distance"].as_f64().unwrap_or(1.0);
-        at(&mut a, "/pdf", |x| x / (distance * distance));
-        a
+        with(a, "/pdf", |x| x / (distance * distance))
     });
     LAMP_TWO_SIDED in ["light.area.rectangle.sides", "light.area.disk.sides"] =>
         Question(|data| data["lamp"]["two_sided"] = json!(true));
-    "the normal of a lamp moved as a vector" in STRETCHED => Answer(|q, mut a| {
+    "the normal of a lamp moved as a vector" in STRETCHED => Answer(|q, a| {
         let cosine = cosine_at_lamp(q, &a);
         let steps = &data(q)["lamp"]["shape"]["instance"]["transform"];
         let Ok(steps) = Vec::<Step>::deserialize(steps) else { return a };
@@ -87,8 +85,7 @@ planted! {
         let Ok(place) = Transform::from_steps(&steps) else { return a };
         let wrong = place.vector(Vector::Y).unit().expect("a length");
         let wrong = wrong.dot(Vector::from(vector(&a["direction"]))).abs();
-        at(&mut a, "/pdf", |x| x * cosine / wrong);
-        a
+        with(a, "/pdf", |x| x * cosine / wrong)
     });
 }
 

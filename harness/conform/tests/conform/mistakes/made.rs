@@ -1,31 +1,23 @@
 //! Mistakes that the file says as data, made in questions about functions.
 
-use ask::{Reply, Subject};
 use conform::{Profile, ours};
 use judge::mistakes::known::{self, KnownMistake};
 use serde_json::{Value, json};
 
-use super::super::altered::{card_with, data};
+use super::super::altered::{Says, card_with, data};
 
-/// Answers as a program that makes a mistake of the file in the first way that there is.
-struct Making(&'static KnownMistake);
-
-impl Subject for Making {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let answer = |question: &Value| {
-            let right = ours(question).ok()?;
-            let (name, told) = question.as_object()?.iter().next()?;
-            let mut told = told.clone();
-            told["answer"] = right.clone();
-            let Some(mut made) = self.0.ways(&told).into_iter().flatten().next() else {
-                return Some(right);
-            };
-            let answer = made.as_object_mut()?.remove("answer")?;
-            let is_answer = made == *data(question);
-            Some(if is_answer { answer } else { ours(&json!({name: made})).unwrap_or_default() })
-        };
-        questions.iter().map(|question| Ok(answer(question).unwrap_or_default())).collect()
-    }
+/// The answer of a program that makes a mistake of the file in the first way that there is.
+fn made(known: &KnownMistake, question: &Value) -> Option<Value> {
+    let right = ours(question).ok()?;
+    let (name, told) = question.as_object()?.iter().next()?;
+    let mut told = told.clone();
+    told["answer"] = right.clone();
+    let Some(mut made) = known.ways(&told).into_iter().flatten().next() else {
+        return Some(right);
+    };
+    let answer = made.as_object_mut()?.remove("answer")?;
+    let is_answer = made == *data(question);
+    Some(if is_answer { answer } else { ours(&json!({name: made})).unwrap_or_default() })
 }
 
 /// Families of functions, each with a mistake that the file says as data.
@@ -67,7 +59,8 @@ fn mistakes_of_the_file_are_named() {
     let mut nameless = Vec::new();
     for (family, name) in MADE {
         let known = known::find(name).expect("it is in the file");
-        let card = card_with(&mut Making(known), &[family], Profile::Careful, 32, false);
+        let mut making = Says(|question: &Value| made(known, question).unwrap_or_default());
+        let card = card_with(&mut making, &[family], Profile::Careful, 32, false);
         let names: Vec<String> = card.rows[0].names.iter().map(ToString::to_string).collect();
         let words = known.clue.unwrap_or(known.words);
         if !names.iter().any(|it| it.starts_with(words)) {

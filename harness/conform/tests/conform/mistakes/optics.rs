@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use conform::mistakes as m;
 use conform::ours;
 use groundtruth::math::power;
-use serde_json::json;
+use serde_json::{Value, json};
 
-use super::super::altered::{at, data, each, swap, vector};
+use super::super::altered::{data, each, swap, vector, with};
 use super::planted::{Answer, Numbers, Question, planted};
 
 const FRESNEL: [&str; 2] = ["fresnel.cosine", "fresnel.directions"];
@@ -54,9 +54,9 @@ planted! {
     "light is lost" in ["fresnel.shares"] => Numbers("/transmitted", |x| 0.95 * x - 0.01);
     OVER_PI in DIFFUSE => Numbers("/f", |x| x / PI);
     WITH_COS in DIFFUSE =>
-        Answer(|q, mut a| { let z = data(q)["wi"][2].as_f64().unwrap_or(1.0); at(&mut a, "/f", |x| z * x); a });
+        Answer(|q, a| { let z = data(q)["wi"][2].as_f64().unwrap_or(1.0); with(a, "/f", |x| z * x) });
     WITHOUT_COS in DIFFUSE =>
-        Answer(|q, mut a| { let z = data(q)["wi"][2].as_f64().unwrap_or(1.0); at(&mut a, "/pdf", |x| x / z); a });
+        Answer(|q, a| { let z = data(q)["wi"][2].as_f64().unwrap_or(1.0); with(a, "/pdf", |x| x / z) });
     "uniform directions for cosine-distributed ones" in ["lobe.lambertian.density"] => Answer(|q, mut a| {
         if !data(q)["u"].is_null() {
             let point = ours(
@@ -68,41 +68,29 @@ planted! {
     });
     "samples too narrow" in ["lobe.glossy_specular.density"] =>
         Question(|data| each(&mut data["u"][1], |u| 0.5 + 0.5 * u));
-    NO_ETA_SQUARED in ["lobe.perfect_transmitter.values"] => Answer(|q, mut a| {
+    NO_ETA_SQUARED in ["lobe.perfect_transmitter.values"] => Answer(|q, a| {
         let eta = data(q)["lobe"]["perfect_transmitter"]["eta"].as_f64().unwrap_or(1.0);
-        let is_through = !a["sample"].is_null();
-        if is_through {
-            at(&mut a, "/sample/weight", |x| x * eta * eta)
-        };
-        a
+        with(a, "/sample/weight", |x| x * eta * eta)
     });
     "f depends on the viewer's cosine" in ["lobe.lambertian.reciprocity"] =>
-        Answer(|q, mut a| { let z = data(q)["wo"][2].as_f64().unwrap_or(1.0); at(&mut a, "/f", |x| z * x); a });
-    "a weight without the cosine" in ["lobe.lambertian.sample"] => Answer(|_, mut a| {
-        if !a["sample"].is_null() {
-            let z = a["sample"]["wi"][2].as_f64().unwrap_or(1.0);
-            at(&mut a, "/sample/weight", |x| x / z);
-        }
-        a
-    });
-    WITH_COS in ["lobe.perfect_specular.values"] => Answer(|_, mut a| {
-        let z = a["sample"]["wi"][2].as_f64().unwrap_or(1.0);
-        at(&mut a, "/sample/weight", |x| z * x);
-        a
-    });
-    WITHOUT_COS in ["lobe.perfect_specular.values"] => Answer(|_, mut a| {
-        let z = a["sample"]["wi"][2].as_f64().unwrap_or(1.0);
-        at(&mut a, "/sample/weight", |x| x / z);
-        a
-    });
-    MIRRORED_ONCE in ["lobe.glossy_specular.values"] => Answer(|q, mut a| {
+        Answer(|q, a| { let z = data(q)["wo"][2].as_f64().unwrap_or(1.0); with(a, "/f", |x| z * x) });
+    "a weight without the cosine" in ["lobe.lambertian.sample"] => Answer(without_cosine);
+    WITH_COS in ["lobe.perfect_specular.values"] =>
+        Answer(|_, a| { let z = a["sample"]["wi"][2].as_f64().unwrap_or(1.0); with(a, "/sample/weight", |x| z * x) });
+    WITHOUT_COS in ["lobe.perfect_specular.values"] => Answer(without_cosine);
+    MIRRORED_ONCE in ["lobe.glossy_specular.values"] => Answer(|q, a| {
         let [wi, wo] = ["wi", "wo"].map(|it| vector(&data(q)[it]));
         let flat = wi[0] * wo[0] + wi[1] * wo[1];
         let lobe = &data(q)["lobe"]["glossy_specular"];
         let e = lobe["exponent"].as_f64().unwrap_or(1.0);
         let [once, twice] = [0.0, 1.0].map(|k| k * wi[2] * wo[2] - flat);
-        at(&mut a, "/f", |f| f * power(once.max(0.0) / twice, e));
-        a
+        with(a, "/f", |f| f * power(once.max(0.0) / twice, e))
     });
     "more light than arrives" in ["lobe.lambertian.energy"] => Numbers("/albedo", |x| 1.0 + x);
+}
+
+/// The weight of a sample without the cosine in it.
+fn without_cosine(_: &Value, answer: Value) -> Value {
+    let z = answer["sample"]["wi"][2].as_f64().unwrap_or(1.0);
+    with(answer, "/sample/weight", |x| x / z)
 }

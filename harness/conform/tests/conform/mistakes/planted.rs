@@ -1,11 +1,10 @@
 //! Programs with mistakes, as tables.
 
-use ask::{Reply, Stop, Subject};
+use ask::{Reply, Subject};
 use conform::mistakes::Mistake;
-use conform::ours;
 use serde_json::Value;
 
-use super::super::altered::{at, instead};
+use super::super::altered::{Altered, instead, with};
 
 /// A program with a mistake.
 #[derive(Clone, Copy)]
@@ -34,19 +33,13 @@ pub use Way::{Answer, Numbers, Question};
 
 impl Subject for Way {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let altered = |question: &Value, mut answer: Value| match &*self {
-            Numbers(pointer, of) => {
-                at(&mut answer, pointer, *of);
-                answer
-            }
+        let way = *self;
+        let alter = |question: &Value, answer: Value| match way {
+            Numbers(pointer, of) => with(answer, pointer, of),
             Question(change) => instead(question, change),
             Answer(alter) => alter(question, answer),
         };
-        let reply = |question: &Value| match ours(question) {
-            Ok(answer) => Ok(altered(question, answer)),
-            Err(error) => Err(Stop::Refused(error)),
-        };
-        questions.iter().map(reply).collect()
+        Altered(alter).ask(questions)
     }
 }
 

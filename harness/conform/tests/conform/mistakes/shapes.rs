@@ -6,21 +6,17 @@ use groundtruth::math::Vector;
 use groundtruth::math::polynomial::real_roots;
 use serde_json::{Value, json};
 
-use super::super::altered::{at, data, instead, length, swap, vector};
+use super::super::altered::{at, data, instead, length, swap, vector, with};
 use super::planted::{Answer, Numbers, Question, planted};
 
 planted! {
     FAR_ROOT in ["intersect.sphere.ordinary", "intersect.sphere.huge_shape"] =>
         Answer(|q, a| if a.is_null() { a } else { on_line(q).pop().unwrap_or(a) });
     UNIT_ASSUMED in ["intersect.plane.scaled", "intersect.sphere.scaled"] =>
-        Answer(|q, mut a| { let length = length(&data(q)["ray"]["direction"]); at(&mut a, "/t", |t| t * length); a });
+        Answer(|q, a| { let length = length(&data(q)["ray"]["direction"]); with(a, "/t", |t| t * length) });
     NEGATED in ["intersect.disk.ordinary", "intersect.paraboloid.ordinary"] => Numbers("/normal", |x| -x);
-    TO_VIEWER in ["intersect.sphere.on_surface", "intersect.plane.ordinary"] => Answer(|_, mut a| {
-        if a["front"] == json!(false) {
-            at(&mut a, "/normal", |x| -x)
-        };
-        a
-    });
+    TO_VIEWER in ["intersect.sphere.on_surface", "intersect.plane.ordinary"] =>
+        Answer(|_, a| if a["front"] == json!(false) { with(a, "/normal", |x| -x) } else { a });
     NOT_NORMALISED_LENGTH in ["intersect.sphere.ordinary", "intersect.triangle.ordinary"] =>
         Numbers("/normal", |x| 3.0 * x);
     INSIDE_MISSED in ["intersect.sphere.on_surface"] =>
@@ -31,7 +27,7 @@ planted! {
     NORMAL_UNTRANSFORMED in ["intersect.instance.ordinary"] => Answer(|q, a| by_matrix(q, a, false));
     NORMAL_BY_INVERSE in ["intersect.instance.ordinary", "intersect.transformed.rotate_x.box", "intersect.transformed.scale_rotate.sphere"] =>
         Answer(by_inverse);
-    UNIT_ASSUMED in ["intersect.instance.ordinary"] => Answer(|q, mut a| {
+    UNIT_ASSUMED in ["intersect.instance.ordinary"] => Answer(|q, a| {
         // the ray of each instance is made unit, and its t is that of the innermost
         let mut kind = data(q)["shape"].clone();
         let mut direction = vector(&data(q)["ray"]["direction"]);
@@ -43,14 +39,13 @@ planted! {
                 .map(|i| row(i).iter().zip(&direction).map(|(m, d)| m * d).sum::<f64>());
             kind = instance["of"].clone();
         }
-        at(&mut a, "/t", |t| t * length(&json!(direction)));
-        a
+        with(a, "/t", |t| t * length(&json!(direction)))
     });
     ACCELERATED in ["intersect.mesh.accelerated"] => Answer(|q, a| {
         let is_lost = data(q)["accelerated"].is_null() && a["normal"][0].as_f64() > Some(0.0);
         if is_lost { json!(null) } else { a }
     });
-    TORUS_COEFFICIENT in ["intersect.torus.ordinary"] => Answer(|q, mut a| {
+    TORUS_COEFFICIENT in ["intersect.torus.ordinary"] => Answer(|q, a| {
         let torus = &data(q)["shape"]["torus"];
         let [r, s] = ["swept_radius", "tube_radius"].map(|it| torus[it].as_f64().unwrap_or(1.0));
         let [o, d] = ["origin", "direction"].map(|it| Vector::from(vector(&data(q)["ray"][it])));
@@ -64,8 +59,7 @@ planted! {
             dd * dd,
         ];
         let wrong = real_roots(&quartic).into_iter().find(|t| *t > 0.0);
-        at(&mut a, "/t", |t| wrong.unwrap_or(t));
-        a
+        with(a, "/t", |t| wrong.unwrap_or(t))
     });
     T_NOT_SET in ["intersect.torus.ordinary"] => Numbers("/t", |_| 1e10);
     CONE_NORMAL_SQUARE in ["intersect.cone.ordinary"] => Answer(|q, mut a| {
@@ -115,12 +109,8 @@ planted! {
         a["normal"] = json!(vector(&a["point"]).map(|x| x / length));
         a
     });
-    NEAREST_ONLY in ["intersect.torus.all_roots"] => Answer(|_, mut a| {
-        if let Some(hits) = a.as_array_mut() {
-            hits.truncate(1)
-        };
-        a
-    });
+    NEAREST_ONLY in ["intersect.torus.all_roots"] =>
+        Answer(|_, mut a| { a.as_array_mut().into_iter().for_each(|hits| hits.truncate(1)); a });
     SHADOW_RAYS_WITHOUT_END in ["occluded.sphere", "occluded.triangle"] => Question(|data| {
         let [from, to] = ["from", "to"].map(|end| vector(&data["segment"][end]));
         let direction: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
@@ -130,8 +120,8 @@ planted! {
     "back sides of a body are fronts" in ["intersect.solid_cylinder.sides"] => Answer(|_, mut a| {
         for hit in a.as_array_mut().into_iter().flatten() {
             if hit["front"] == json!(false) {
-                at(hit, "/normal", |x| -x)
-            };
+                at(hit, "/normal", |x| -x);
+            }
         }
         a
     });
@@ -154,10 +144,7 @@ fn by_matrix(question: &Value, mut answer: Value, transformed: bool) -> Value {
     let entry = |i: usize, j: usize| rows[i][j].as_f64().unwrap_or(0.0);
     let right = vector(&answer["normal"]);
     let local: [f64; 3] = std::array::from_fn(|i| (0..3).map(|j| entry(j, i) * right[j]).sum());
-    let unit = |v: [f64; 3]| {
-        let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        v.map(|x| x / length)
-    };
+    let unit = |v: [f64; 3]| v.map(|x| x / length(&json!(v)));
     let local = unit(local);
     let normal = match transformed {
         true => unit(std::array::from_fn(|i| (0..3).map(|j| entry(i, j) * local[j]).sum())),
