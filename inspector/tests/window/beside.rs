@@ -2,8 +2,6 @@
 
 use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::Queryable;
-use groundtruth::film::Film;
-use groundtruth::render;
 use groundtruth::scene::Scene;
 use inspector::action::Shows;
 use inspector::scene::fields::{self, Change};
@@ -11,10 +9,6 @@ use std::path::Path;
 use text::brief::short;
 
 use crate::support::*;
-
-/// A pixel in which both spheres are seen.
-const ON_GLASS: [u32; 2] = [17, 19];
-const ETA: &str = "materials.glass sphere.recipe.dielectric.inside.eta";
 
 /// The small glass sphere with water in place of glass, changed as text.
 fn water() -> Scene {
@@ -24,23 +18,16 @@ fn water() -> Scene {
     scenefile::parse(text, Path::new("")).expect("valid").0
 }
 
-fn rendered(scene: &Scene) -> Film {
-    render::render(&built(scene))
-}
-
 /// Opens the menu; its field has the keys.
 fn open_menu(window: &mut Window) {
     window.get_by_role_and_label(Role::Button, "Compare with …").click();
     window.run_steps(8);
 }
 
-/// Types into the field that has the keys, over what is selected there.
-fn type_text(window: &mut Window, text: &str) {
-    window.get_all_by(|node| node.is_focused()).next().expect("it has the keys").type_text(text);
-    window.run_steps(3);
-}
-
-fn enter(window: &mut Window) {
+/// Types into the field that has the keys, in place of what is there, and Enter.
+fn enter(window: &mut Window, text: &str) {
+    press_with(window, Modifiers::COMMAND, Key::A);
+    type_text(window, text);
     press(window, Key::Enter);
 }
 
@@ -57,7 +44,7 @@ fn a_field_with_another_value_is_compared() {
     window.get_by_role_and_label(Role::Button, &format!("{ETA} = 1.5")).click();
     window.run_steps(4);
     type_text(&mut window, "1.33");
-    enter(&mut window);
+    press(&mut window, Key::Enter);
 
     assert_eq!((&*theirs(&window).name, theirs(&window).shows), ("eta = 1.33", Shows::Swipe));
     let [a, b] = [&ours, &with_water].map(|film| film.get(ON_GLASS));
@@ -82,13 +69,9 @@ fn a_field_with_another_value_is_compared() {
 fn words_of_one_field_stand_for_its_path() {
     let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
-    type_text(&mut window, "eta=1.33");
-    enter(&mut window);
+    enter(&mut window, "eta=1.33");
     text_with(&window, " fields have these words");
-    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.step();
-    type_text(&mut window, "inside.eta=1.33");
-    enter(&mut window);
+    enter(&mut window, "inside.eta=1.33");
     assert_eq!(theirs(&window).radiance(ON_GLASS), Some(rendered(&water()).get(ON_GLASS)));
 }
 
@@ -98,8 +81,7 @@ fn words_of_one_field_stand_for_its_path() {
 fn the_selected_ray_is_shown_side_by_side() {
     let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
-    type_text(&mut window, &format!("{ETA} = 1.33"));
-    enter(&mut window);
+    enter(&mut window, &format!("{ETA} = 1.33"));
     push(&mut window, "Side by side");
     let angle = |scene: &Scene| {
         let hit = ray_of(scene, ON_GLASS, 0).hit.expect("glass");
@@ -135,8 +117,7 @@ fn the_first_ray_with_other_numbers_is_one_click_away() {
     let first = first.filter(|number| *number > 0).expect("behind the glass");
     let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
-    type_text(&mut window, &change.to_string());
-    enter(&mut window);
+    enter(&mut window, &change.to_string());
     push(&mut window, "Side by side");
     push(&mut window, &format!("ray {first} is the first whose own numbers differ"));
     assert_eq!(window.state().selection.tree.ray, first);
@@ -171,14 +152,10 @@ fn a_kept_state_stays() {
 fn another_scene_is_compared() {
     let mut window = glass_window();
     open_menu(&mut window);
-    type_text(&mut window, "ch28/no-such-scene");
-    enter(&mut window);
+    enter(&mut window, "ch28/no-such-scene");
     assert!(window.query_by_label_contains("ch28/no-such-scene").is_some());
     assert_eq!(window.state().others.count(), 0);
-    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.run_steps(2);
-    type_text(&mut window, "ch03/single-sphere");
-    enter(&mut window);
+    enter(&mut window, "ch03/single-sphere");
     let mut other = (gallery::find("ch03/single-sphere").expect("in the gallery").build)();
     other.image.resize(48, 48);
     let other = rendered(&other);
@@ -188,10 +165,7 @@ fn another_scene_is_compared() {
     }
 
     open_menu(&mut window);
-    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.run_steps(2);
-    type_text(&mut window, &format!("{ETA} = -1"));
-    enter(&mut window);
+    enter(&mut window, &format!("{ETA} = -1"));
     let (text, is_error) = window.state().message.clone().expect("a message");
     assert!(is_error && text.contains("eta") && text.contains("-1"), "{text}");
     assert_eq!(window.state().others.count(), 1);

@@ -55,9 +55,7 @@ fn typing_searches_the_list() {
     assert_eq!(names("").len(), all.len());
     let mut window = glass_window();
     open_list(&mut window);
-    let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
-    focused.type_text("three-objects");
-    window.step();
+    type_text(&mut window, "three-objects");
     press(&mut window, Key::Enter);
     assert_eq!(window.state().session.rendering.source.name(), "ch03/three-objects");
 }
@@ -133,7 +131,7 @@ fn intersections_are_switched() {
         push(&mut window, intersect.name());
         scene.set_intersections(intersect);
         let film = film(&window);
-        assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
+        assert_eq!(film.pixels(), rendered(&scene).pixels());
         shown.push(film.pixels().to_vec());
     }
     assert_ne!(shown[0], shown[1], "the textbook's roots are lost");

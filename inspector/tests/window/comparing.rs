@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use eframe::egui::{Key, Pos2, accesskit::Role, pos2, vec2};
+use eframe::egui::{Key, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::{self, Film, Tone};
-use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
 
@@ -20,7 +19,7 @@ const BRIGHTER: [([u32; 2], f64); 4] =
 
 /// Our picture, and theirs, which is brighter in some pixels.
 fn films() -> [Film; 2] {
-    let ours = render::render(&built(&small_glass_sphere()));
+    let ours = rendered(&small_glass_sphere());
     let mut theirs = ours.clone();
     for (pixel, more) in BRIGHTER {
         theirs.set(pixel, ours.get(pixel) + Rgb::grey(more));
@@ -34,10 +33,6 @@ fn held_against(film: &Film) -> Window {
     let mut window = glass_window();
     set(&mut window, |it| it.others.add_picture(read(folder.path(), film, "theirs.exr")));
     window
-}
-
-fn shows(window: &Window) -> Shows {
-    theirs(window).shows
 }
 
 /// The colours of both marked pixels on the screen.
@@ -83,13 +78,6 @@ fn the_line_is_dragged() {
     let tone = window.state().picture.tone;
     let before = window.state().picture.placement([48, 48]).corner;
     let line = window.get_by_label("divider").rect().center();
-    let drag = |window: &mut Window, from: Pos2, to: Pos2| {
-        window.hover_at(from);
-        window.drag_at(from);
-        window.hover_at(to);
-        window.drop_at(to);
-        settle(window);
-    };
     let to = on_screen(&window, LEFT) - vec2(30.0, 0.0);
     drag(&mut window, line, pos2(to.x, line.y));
     assert_eq!(both(&mut window), [LEFT, RIGHT].map(|pixel| tone.to_bytes(theirs.get(pixel))));
@@ -198,9 +186,7 @@ fn several_pictures_are_kept() {
         press(&mut window, Key::O);
         assert_eq!(sizes(&window), (side, side, Shows::Theirs));
     }
-    window.get_by_role_and_label(Role::ComboBox, "With").click();
-    window.run_steps(4);
-    push_button(&mut window, "24.exr");
+    choose(&mut window, "With", "24.exr");
     assert_eq!(sizes(&window), (24, 24, Shows::Theirs));
     push_button(&mut window, "×");
     assert_eq!((window.state().others.count(), sizes(&window).0), (2, 30));
@@ -210,18 +196,13 @@ fn several_pictures_are_kept() {
 #[test]
 fn a_layer_is_seen_in_place_of_the_difference() {
     let mut window = held_against(&films()[1]);
-    let choose = |window: &mut Window, name: &str| {
-        window.get_by_role_and_label(Role::ComboBox, "Layer").click();
-        window.run_steps(4);
-        push_button(window, name);
-    };
     press(&mut window, Key::D);
     assert_eq!(both(&mut window), [[255; 3], [191; 3]]);
-    let layer = layers::Layer::named("object", &built(&small_glass_sphere())).expect("a layer");
-    choose(&mut window, "object");
     let world = built(&small_glass_sphere());
+    let layer = layers::Layer::named("object", &world).expect("a layer");
+    choose(&mut window, "Layer", "object");
     let colors = layers::Colors::of(&layer, std::iter::empty(), &world, Tone::PLAIN);
     // the legend is over the left one
     assert_eq!(both(&mut window)[1], colors.color(layer.value(&world, RIGHT)));
-    assert_eq!(shows(&window), Shows::Ours);
+    assert_eq!(theirs(&window).shows, Shows::Ours);
 }

@@ -9,9 +9,6 @@ use groundtruth::rgb::Rgb;
 
 use crate::support::*;
 
-/// A pixel in which both spheres are seen.
-const ON_GLASS: [u32; 2] = [17, 19];
-
 /// The printed sum of the pixel's samples.
 fn sum(window: &Window) -> String {
     let labels = window.query_all_by_label_contains("= ");

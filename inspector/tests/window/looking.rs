@@ -1,9 +1,6 @@
 //! Zoom, pan, tone, and snapshots of the window.
 
-use eframe::egui::{
-    Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, accesskit::Role,
-    pos2, vec2,
-};
+use eframe::egui::{Pos2, Rect, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
 use inspector::picture::view::View;
@@ -95,24 +92,12 @@ fn wheel_and_drag_move_the_picture_and_select_nothing() {
     let mut window = glass_window();
     let placement = |window: &Window| window.state().picture.placement([48, 48]);
     let (before, at) = (placement(&window), on_screen(&window, [20, 20]));
-    window.hover_at(at);
-    window.event(Event::MouseWheel {
-        unit: MouseWheelUnit::Point,
-        delta: vec2(0.0, 200.0),
-        phase: TouchPhase::Move,
-        source: MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
-    window.run_steps(30);
+    turn_wheel(&mut window, at);
     let zoomed = placement(&window);
     assert!(zoomed.scale > 1.5 * before.scale, "{} after {}", zoomed.scale, before.scale);
     assert_eq!(zoomed.pixel(at), Some([20, 20]));
 
-    window.drag_at(at);
-    window.hover_at(at + vec2(30.0, 12.0));
-    window.hover_at(at + vec2(60.0, 24.0));
-    window.drop_at(at + vec2(60.0, 24.0));
-    window.run_steps(3);
+    drag(&mut window, at, at + vec2(60.0, 24.0));
     let moved = placement(&window).corner - zoomed.corner;
     assert!((moved - vec2(60.0, 24.0)).length() < 2.0, "{moved}");
     assert_eq!(window.state().selection.pixel, None);
@@ -209,11 +194,8 @@ fn tree_looks_as_before() {
 fn zooms_keep_the_selected_pixel() {
     let mut window = glass_window_at([45, 2]);
     let area = window.get_by_role_and_label(Role::Image, "picture").rect();
-    let is_dark = |window: &mut Window, at: Pos2| {
-        let image = window.render().expect("drawn");
-        let [r, g, b, _] = image.get_pixel(at.x as u32, at.y as u32).0;
-        r.max(g).max(b) < 60
-    };
+    let is_dark =
+        |window: &mut Window, at: Pos2| color_at(window, at).iter().all(|channel| *channel < 60);
     for zoom in ["12×", "64×", "4×", "64×"] {
         push_button(&mut window, zoom);
         let rect = window.state().picture.placement([48, 48]).rect([45, 2]);

@@ -37,15 +37,9 @@ fn right_and_wrong_are_flipped_and_explained() {
     window.get_by_role_and_label(Role::ComboBox, LIST).click();
     window.run_steps(6);
     // it may be below the first entries
-    window
-        .get_all_by(|node| node.is_focused())
-        .next()
-        .expect("the search has the keys")
-        .type_text(NAME);
-    window.run_steps(3);
+    type_text(&mut window, NAME);
     push_button(&mut window, NAME);
-    let theirs = window.state().others.shown().expect("it is rendered");
-    assert_eq!((&*theirs.name, theirs.shows), (NAME, Shows::Swipe));
+    assert_eq!((&*theirs(&window).name, theirs(&window).shows), (NAME, Shows::Swipe));
     press(&mut window, Key::T);
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window, pixel), tone.to_bytes(wrong.get(pixel)));
@@ -71,8 +65,7 @@ fn the_wrong_picture_follows_the_scene() {
     set(&mut window, |it| it.others.set_mistake(mistakes::find(NAME)));
     press(&mut window, Key::T);
     type_number(&mut window, "Width", "50");
-    let theirs = window.state().others.shown().expect("it is rendered");
-    assert_eq!((theirs.size(), theirs.shows), ([50, 48], Shows::Theirs));
+    assert_eq!((theirs(&window).size(), theirs(&window).shows), ([50, 48], Shows::Theirs));
 }
 
 /// Law: of a mistake that changes nothing of the scene the window says so, and shows ours. Oracle: a scene without a lens.

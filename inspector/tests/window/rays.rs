@@ -9,7 +9,6 @@ use egui_kittest::kittest::Queryable;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
 use inspector::explanation::selection::Tab;
-use inspector::start::Start;
 use inspector::window::arguments::Arguments;
 
 use crate::support::*;
@@ -32,18 +31,9 @@ fn written(folder: &Path, text: &str) -> PathBuf {
     path
 }
 
-/// The window that the command line opens with these words.
-fn started(words: &[&str]) -> Window {
-    let arguments = Arguments::parse_from([&["inspector"], words].concat());
-    let start = Start::read(&arguments).expect("valid");
-    let context = eframe::egui::Context::default();
-    let mut window = window_of(start.inspector(&context, None, &arguments), [1280.0, 800.0]);
-    settle(&mut window);
-    window
-}
-
 fn open_log(folder: &Path, text: &str) -> Window {
-    started(&["--rays", written(folder, text).to_str().expect("a name")])
+    let log = written(folder, text);
+    started(&Arguments::parse_from(["inspector", "--rays", log.to_str().expect("a name")]))
 }
 
 fn selected(window: &Window) -> (Option<[u32; 2]>, usize) {
@@ -194,12 +184,9 @@ fn two_logs_stand_beside_each_other() {
     let before = written(folder.path(), LOG);
     let after = folder.path().join("after.jsonl");
     fs::write(&after, mended).expect("written");
-    let mut window = started(&[
-        "--rays",
-        after.to_str().expect("a name"),
-        "--rays",
-        before.to_str().expect("a name"),
-    ]);
+    let [after, before] = [&after, &before].map(|log| log.to_str().expect("a name"));
+    let arguments = Arguments::parse_from(["inspector", "--rays", after, "--rays", before]);
+    let mut window = started(&arguments);
     assert_eq!(selected(&window), (Some(BROKEN), 1));
     let name = |window: &Window| {
         let program = window.state().others.shown().and_then(|theirs| theirs.explained().cloned());

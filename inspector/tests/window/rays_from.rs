@@ -11,7 +11,6 @@ use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
 use inspector::explanation::selection::Tab;
-use inspector::start::Start;
 use inspector::window::arguments::Arguments;
 
 use crate::support::*;
@@ -33,11 +32,7 @@ fn window_sized(folder: &Path, size: [&str; 2], (words, script): (&str, &str)) -
     let mut arguments = Arguments::parse_from(words);
     let command = arguments.rays_from.as_mut().expect("there is one");
     (command.folder, command.limit) = (folder.to_owned(), Duration::from_millis(1500));
-    let start = Start::read(&arguments).expect("valid");
-    let context = eframe::egui::Context::default();
-    let mut window = window_of(start.inspector(&context, None, &arguments), [1280.0, 800.0]);
-    settle(&mut window);
-    window
+    started(&arguments)
 }
 
 fn radiance(window: &Window) -> Option<Rgb> {

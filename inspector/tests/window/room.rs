@@ -6,8 +6,6 @@ use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::support::*;
 
-const ON_GLASS: [u32; 2] = [17, 19];
-
 /// The sizes of a laptop's window, of half a screen, and the smallest that the program allows.
 const SIZES: [[f32; 2]; 3] = [[1400.0, 900.0], [900.0, 600.0], [800.0, 500.0]];
 
@@ -76,24 +74,18 @@ fn the_bars_between_the_parts_can_be_grabbed() {
     let bar = |window: &Window| window.get_by_role_and_label(Role::Splitter, "right bar").rect();
     let width = bar(&window).width();
     assert!(width >= 6.0, "the bar is {width} wide");
-    let drag = |window: &mut Window, by: f32| {
+    let drag_by = |window: &mut Window, by: f32| {
         let at = bar(window).center();
-        window.hover_at(at);
-        window.drag_at(at);
-        window.step();
-        window.hover_at(at + vec2(by, 0.0));
-        window.step();
-        window.drop_at(at + vec2(by, 0.0));
-        window.run_steps(3);
+        drag(window, at, at + vec2(by, 0.0));
     };
-    drag(&mut window, -80.0);
+    drag_by(&mut window, -80.0);
     let moved = before.right() - picture(&window).right();
     assert!((moved - 80.0).abs() < 3.0, "moved by {moved}, not 80");
     let at = bar(&window).center();
     double_click(&mut window, at);
     assert_eq!(picture(&window), before, "moved back");
     for by in [-2000.0, 2000.0] {
-        drag(&mut window, by);
+        drag_by(&mut window, by);
         let width = picture(&window).width();
         assert!(width > 0.25 * whole.width(), "{width} of {}", whole.width());
         let heading = window.get_by_label("Pixel (17, 19)").rect();

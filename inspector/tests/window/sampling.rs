@@ -11,8 +11,6 @@ use groundtruth::trace::RayKind;
 
 use crate::support::*;
 
-const ON_GLASS: [u32; 2] = [17, 19];
-
 /// The small glass sphere with 16 jittered samples.
 fn sixteen() -> Scene {
     let mut scene = small_glass_sphere();
@@ -46,9 +44,8 @@ fn a_click_on_a_point_shows_its_ray() {
         let line = root_line_of(&sixteen(), ON_GLASS, sample as u32);
         assert!(window.query_all_by_label(&line).next().is_some(), "{line}");
         hover(&mut window, Pos2::new(5.0, 5.0));
-        let image = window.render().expect("drawn");
         let at = point(&window, plot, sample);
-        let [r, g, b, _] = image.get_pixel(at.x as u32, at.y as u32).0;
+        let [r, g, b] = color_at(&mut window, at);
         assert!(r > 200 && b < 120, "sample {sample} is ({r}, {g}, {b})");
     }
 }
@@ -84,7 +81,7 @@ fn a_point_and_its_ray_are_lit_together() {
     assert!(window.query_by_label("Sample 0").is_some());
     let ring = |window: &mut Window, plot| {
         let at = point(window, plot, 0) + eframe::egui::vec2(0.0, 7.9);
-        window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0
+        color_at(window, at)
     };
     let before = ring(&mut window, 0);
     let line = root_line_of(&scene, pixel, 0);
@@ -150,16 +147,13 @@ fn the_picture_follows_sampler_and_count() {
     assert!(matches!(image.sampler, Some(Kind::Regular(_))), "{:?}", image.sampler);
     let mut scene = sixteen();
     scene.image.sampler = Some(Regular {}.into());
-    let rendered = |window: &Window| {
-        window.state().session.rendering.canvas.look(|film| film.pixels().to_vec())
-    };
-    assert_eq!(rendered(&window), render::render(&built(&scene)).pixels());
+    assert_eq!(film(&window).pixels(), rendered(&scene).pixels());
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
 
     type_number(&mut window, "Samples", "5");
     scene.image.samples = 5;
     assert_eq!(window.state().session.rendering.scene.image.samples, 5);
-    assert_eq!(rendered(&window), render::render(&built(&scene)).pixels());
+    assert_eq!(film(&window).pixels(), rendered(&scene).pixels());
     assert!(window.query_by_label("rounded up to 9").is_some());
 }
 

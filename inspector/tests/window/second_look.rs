@@ -12,7 +12,6 @@ use inspector::action::Shows;
 use inspector::comparison::recipe::Recipe;
 use inspector::explanation::tree::{BROKEN, KINDS, LOCAL};
 use inspector::picture::display::{AGREES, ground, ink};
-use inspector::scene::fields::Change;
 use inspector::space::backdrop::{Backdrop, Request};
 use inspector::splits::Mode;
 use inspector::window::style::set_style;
@@ -20,13 +19,6 @@ use judge::mistakes;
 use text::brief::short;
 
 use crate::support::*;
-
-const ON_GLASS: [u32; 2] = [17, 19];
-const ETA: &str = "materials.glass sphere.recipe.dielectric.inside.eta";
-
-fn eta(value: &str) -> Change {
-    Change { path: ETA.to_owned(), value: value.to_owned() }
-}
 
 /// Law: another picture is explained at the selected pixel and swiped, coarse, while it is rendered; how far it is stands
 /// over the picture in per cent. Oracle: the library's explanation of the other scene, and its first sample of a block.
@@ -83,15 +75,12 @@ fn the_list_of_mistakes_is_searched_and_ordered() {
     let mut shown = mistakes::shown_by("ch28/glass-sphere");
     shown.sort_by(|a, b| b.effect.share.total_cmp(&a.effect.share));
     assert!(shown[0].effect.share > 2.0 * shown[shown.len() - 1].effect.share);
-    let open = |window: &mut Window| {
-        window.get_by_role_and_label(Role::ComboBox, "With the mistake").click();
-        window.run_steps(6);
-    };
     let height = |window: &Window, name: &str| {
         let row = window.query_by_role_and_label(Role::Button, name);
         row.map(|row| row.rect().top())
     };
-    open(&mut window);
+    window.get_by_role_and_label(Role::ComboBox, "With the mistake").click();
+    window.run_steps(6);
     let rows: Vec<f32> = shown.iter().map_while(|it| height(&window, it.mistake.name)).collect();
     assert!(rows.len() >= 4 && rows.is_sorted(), "{rows:?}");
     let word = "cosine";
@@ -99,9 +88,7 @@ fn the_list_of_mistakes_is_searched_and_ordered() {
     let found: Vec<_> =
         shown.iter().filter(|it| has_word(it.mistake.name, it.mistake.words)).collect();
     assert!(!found.is_empty() && found.len() < shown.len());
-    let field = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
-    field.type_text(word);
-    window.run_steps(3);
+    type_text(&mut window, word);
     for it in &shown {
         let is_found = found.iter().any(|found| found.mistake == it.mistake);
         assert_eq!(height(&window, it.mistake.name).is_some(), is_found, "{}", it.mistake.name);

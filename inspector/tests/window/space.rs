@@ -41,7 +41,7 @@ fn camera(window: &Window) -> View {
 /// Where the tracer's pinhole sees a point, on the screen.
 fn place(window: &Window, point: Point) -> Pos2 {
     let [x, y] = camera(window).eyes()[0].project(point).expect("it is in view");
-    area(window).center() + eframe::egui::vec2(x as f32, -y as f32)
+    area(window).center() + vec2(x as f32, -y as f32)
 }
 
 fn root(window: &Window) -> RecordedRay {
@@ -89,13 +89,7 @@ fn the_camera_orbits() {
     let mut window = in_space();
     let before = window.state().space.camera.orbit.unwrap();
     let at = area(&window).center();
-    window.hover_at(at);
-    window.drag_at(at);
-    window.step();
-    window.hover_at(at + eframe::egui::vec2(-50.0, 20.0));
-    window.step();
-    window.drop_at(at + eframe::egui::vec2(-50.0, 20.0));
-    settle(&mut window);
+    drag(&mut window, at, at + vec2(-50.0, 20.0));
     let turned = window.state().space.camera.orbit.unwrap();
     assert!((turned.yaw - before.yaw - 20.0).abs() < 1e-3, "{} after {}", turned.yaw, before.yaw);
     assert!((turned.pitch - before.pitch - 8.0).abs() < 1e-3);
@@ -134,12 +128,10 @@ fn an_object_can_be_looked_through() {
     let world = built(&small_glass_sphere());
     let red = world.objects().iter().find(|object| &*object.name == "red sphere").expect("red");
     let at = place(&window, red.shape.bounds().center());
-    let color =
-        |window: &mut Window| window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
-    let opaque = color(&mut window);
+    let opaque = color_at(&mut window, at);
     set(&mut window, |it| it.space.camera.faded.push(red.index));
-    let faded = color(&mut window);
-    let redness = |[r, g, _, _]: [u8; 4]| i32::from(r) - i32::from(g);
+    let faded = color_at(&mut window, at);
+    let redness = |[r, g, _]: [u8; 3]| i32::from(r) - i32::from(g);
     assert!(redness(opaque) > 40, "{opaque:?}");
     assert!(redness(faded) < redness(opaque) - 20, "{faded:?} after {opaque:?}");
 }
@@ -157,9 +149,7 @@ fn the_section_is_zoomed_moved_and_fitted() {
     };
     let fitted = drawn(&mut window);
     let (at, by) = (area.center(), vec2(24.0, -16.0));
-    window.drag_at(at);
-    window.hover_at(at + by);
-    window.drop_at(at + by);
+    drag(&mut window, at, at + by);
     let moved = drawn(&mut window);
     let mut differing = 0;
     for x in (area.left() as u32 + 40)..(area.right() as u32 - 40) {
@@ -175,15 +165,7 @@ fn the_section_is_zoomed_moved_and_fitted() {
 
     double_click(&mut window, at);
     assert!(drawn(&mut window) == fitted, "a double click fits");
-    window.hover_at(at);
-    window.event(Event::MouseWheel {
-        unit: eframe::egui::MouseWheelUnit::Point,
-        delta: vec2(0.0, 200.0),
-        phase: eframe::egui::TouchPhase::Move,
-        source: eframe::egui::MouseWheelSource::Wheel,
-        modifiers: Modifiers::NONE,
-    });
-    window.run_steps(30);
+    turn_wheel(&mut window, at);
     let larger = drawn(&mut window);
     assert!(larger != fitted);
     double_click(&mut window, at);

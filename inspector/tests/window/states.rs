@@ -7,7 +7,6 @@ use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::support::*;
 
-const ON_GLASS: [u32; 2] = [17, 19];
 const SIZES: [[f32; 2]; 3] = [[900.0, 600.0], [1400.0, 900.0], [2560.0, 1440.0]];
 /// What can be clicked, typed into or dragged.
 const WIDGETS: [Role; 7] = [

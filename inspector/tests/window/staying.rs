@@ -5,19 +5,16 @@ use std::path::Path;
 use std::time::Duration;
 
 use clap::Parser;
-use eframe::egui::{Context, Key, Modifiers, accesskit::Role};
+use eframe::egui::{Context, Key, Modifiers, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::world::World;
 use inspector::app::Inspector;
 use inspector::scene::source::Source;
-use inspector::start::Start;
 use inspector::window::arguments::Arguments;
 use inspector::window::stored_settings::StoredSettings;
 use inspector::window::style::{Ground, growth};
 
 use crate::support::*;
-
-const ON_GLASS: [u32; 2] = [17, 19];
 
 /// Waits until a changed file is read, and until it is shown.
 fn followed(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
@@ -37,6 +34,10 @@ fn a_changed_file_is_read_again_and_the_selection_stays() {
     click(&mut window, ON_GLASS);
     window.get_by_label("high lamp").click();
     type_number(&mut window, "Samples", "9");
+    set(&mut window, |it| {
+        it.session.wanted = eta("1.2").applied(&it.session.wanted).expect("a field");
+        it.session.rebuild(&Context::default());
+    });
 
     scene.about = "told anew".to_owned();
     scene.background = groundtruth::rgb::Rgb::new(0.1, 0.2, 0.3).into();
@@ -45,30 +46,35 @@ fn a_changed_file_is_read_again_and_the_selection_stays() {
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
     scene.image.samples = 9;
     scene.lights.iter_mut().filter(|l| l.name == "high lamp").for_each(|l| l.enabled = false);
-    let film = film(&window);
-    assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
+    let scene = eta("1.2").applied(&scene).expect("a field");
+    assert_eq!(film(&window).pixels(), rendered(&scene).pixels());
     assert_eq!(window.state().message, None);
 }
 
-/// Law: if the file becomes invalid, the picture stays and the library's error is shown; once the file is
-/// repaired, it is read again and the error disappears.
+/// Law: if the file becomes invalid, the picture stays, marked as that of before, and the library's error is shown; once the
+/// file is repaired, it is read again, and error and mark disappear.
 #[test]
 fn a_broken_file_keeps_the_picture_until_it_is_mended() {
+    const MARK: &str = "the picture of before: the scene file has an error";
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("scene.toml");
     let mut scene = small_glass_sphere();
     write(&path, &scene);
     let mut window = window_on(&path);
     let before = film(&window);
+    assert!(window.query_by_label(MARK).is_none());
     std::fs::write(&path, "about = \n").expect("writable");
     let error = scenefile::read(&path).expect_err("it is broken").to_string();
     followed(&mut window, |window| window.state().message.is_some());
     assert_eq!(window.state().message, Some((error, true)));
     assert_eq!(film(&window), before);
+    push_button(&mut window, "×");
+    assert!(window.query_by_label(MARK).is_some(), "the message is gone, the mark stays");
     scene.about = "mended".to_owned();
     write(&path, &scene);
     followed(&mut window, |window| window.state().session.rendering.scene.about == "mended");
     assert_eq!(window.state().message, None);
+    assert!(window.query_by_label(MARK).is_none());
 }
 
 /// Law: a broken file of the command line is shown with its error and without a picture; mended, it is opened as the
@@ -154,10 +160,7 @@ fn a_pixel_is_proposed() {
 fn a_later_scene_proposes_its_pixel() {
     let line = ["inspector", "--size", "48x48", "--samples", "4", "--pixel", "17,19"];
     let arguments = Arguments::parse_from(line);
-    let start = Start::read(&arguments).expect("the scene is valid");
-    let mut window =
-        window_of(start.inspector(&Context::default(), None, &arguments), [1280.0, 800.0]);
-    settle(&mut window);
+    let mut window = started(&arguments);
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
     assert!(!window.state().selection.is_proposed);
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -175,7 +178,7 @@ fn the_ground_can_be_light() {
     let mut window = glass_window();
     let ground = |window: &mut Window| {
         let at = window.get_by_label("Lights").rect().right_center();
-        window.render().expect("drawn").get_pixel(at.x as u32 + 20, at.y as u32).0[0]
+        color_at(window, at + vec2(20.0, 0.0))[0]
     };
     let dark = ground(&mut window);
     press(&mut window, Key::B);
@@ -245,8 +248,7 @@ fn the_keys_do_what_their_list_says() {
     let path = folder.path().join("saved.png");
     let mut window = glass_window();
     window.state_mut().fields.save = path.display().to_string();
-    window.key_press_modifiers(Modifiers::COMMAND, Key::S);
-    settle(&mut window);
+    press_with(&mut window, Modifiers::COMMAND, Key::S);
     assert!(path.exists());
     let shown = |window: &Window| window.query_by_label("save the picture").is_some();
     for key in [Key::Questionmark, Key::F1] {

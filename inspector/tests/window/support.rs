@@ -4,16 +4,23 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
+use eframe::egui::{
+    Context, Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Theme,
+    TouchPhase, accesskit::Role, vec2,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use explain::RecordedRay;
 use groundtruth::film::{self, Film, Tone};
+use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
 use inspector::app::Inspector;
 use inspector::comparison::theirs::Theirs;
+use inspector::scene::fields::Change;
 use inspector::scene::source::{Built, Loaded, Source};
+use inspector::start::Start;
+use inspector::window::arguments::Arguments;
 use inspector::window::style::set_style;
 
 use crate::renderer::Software;
@@ -22,6 +29,14 @@ pub type Window = Harness<'static, Inspector>;
 
 /// Far more than anything here takes, also on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
+/// A pixel of the small glass sphere in which both spheres are seen.
+pub const ON_GLASS: [u32; 2] = [17, 19];
+pub const ETA: &str = "materials.glass sphere.recipe.dielectric.inside.eta";
+
+/// Glass of another index of refraction.
+pub fn eta(value: &str) -> Change {
+    Change { path: ETA.to_owned(), value: value.to_owned() }
+}
 
 /// A scene of the gallery in so many pixels and samples.
 pub fn small(name: &str, [width, height]: [u32; 2], samples: u32) -> Scene {
@@ -38,6 +53,10 @@ pub fn small_glass_sphere() -> Scene {
 
 pub fn built(scene: &Scene) -> World {
     World::build(scene).expect("the scene is valid")
+}
+
+pub fn rendered(scene: &Scene) -> Film {
+    render::render(&built(scene))
 }
 
 /// A window on a changed scene of the gallery, rendered.
@@ -73,6 +92,15 @@ pub fn window_of(inspector: Inspector, size: [f32; 2]) -> Window {
         .with_context_setup(set_style)
         .renderer(Software::default())
         .build_ui_state(|ui, inspector: &mut Inspector| inspector.show(ui), inspector)
+}
+
+/// The window that the command line opens.
+pub fn started(arguments: &Arguments) -> Window {
+    let start = Start::read(arguments).expect("valid");
+    let inspector = start.inspector(&Context::default(), None, arguments);
+    let mut window = window_of(inspector, [1280.0, 800.0]);
+    settle(&mut window);
+    window
 }
 
 /// A window on the small glass sphere, rendered.
@@ -152,6 +180,11 @@ pub fn on_screen(window: &Window, pixel: [u32; 2]) -> Pos2 {
 /// The colour of the screen in the middle of a pixel.
 pub fn shown(window: &mut Window, pixel: [u32; 2]) -> [u8; 3] {
     let at = on_screen(window, pixel);
+    color_at(window, at)
+}
+
+/// The colour of the screen there.
+pub fn color_at(window: &mut Window, at: Pos2) -> [u8; 3] {
     let [r, g, b, _] = window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
     [r, g, b]
 }
@@ -174,6 +207,28 @@ pub fn point_and_press(window: &mut Window, at: Pos2) {
     window.drop_at(at);
 }
 
+/// Drags from one place to another and waits for what follows.
+pub fn drag(window: &mut Window, from: Pos2, to: Pos2) {
+    window.hover_at(from);
+    window.drag_at(from);
+    window.hover_at(to);
+    window.drop_at(to);
+    settle(window);
+}
+
+/// Turns the wheel there, away from the user, until all has moved.
+pub fn turn_wheel(window: &mut Window, at: Pos2) {
+    window.hover_at(at);
+    window.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        delta: vec2(0.0, 200.0),
+        phase: TouchPhase::Move,
+        source: MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(30);
+}
+
 /// Points there, until what is pointed at is lit.
 pub fn hover(window: &mut Window, at: Pos2) {
     window.hover_at(at);
@@ -182,7 +237,12 @@ pub fn hover(window: &mut Window, at: Pos2) {
 
 /// Presses a key and waits for what follows.
 pub fn press(window: &mut Window, key: Key) {
-    window.key_press(key);
+    press_with(window, Modifiers::NONE, key);
+}
+
+/// The same with Ctrl, Alt or Shift.
+pub fn press_with(window: &mut Window, modifiers: Modifiers, key: Key) {
+    window.key_press_modifiers(modifiers, key);
     settle(window);
 }
 
@@ -235,10 +295,14 @@ fn type_as(window: &mut Window, role: Role, field: &str, text: &str) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.step();
     // a number turns into a text while it is typed
-    let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
-    focused.type_text(text);
-    window.step();
+    type_text(window, text);
     press(window, Key::Enter);
+}
+
+/// Types into the field that has the keys, over what is selected there.
+pub fn type_text(window: &mut Window, text: &str) {
+    window.get_all_by(|node| node.is_focused()).next().expect("it has the keys").type_text(text);
+    window.run_steps(3);
 }
 
 /// The text of the one label that contains this.

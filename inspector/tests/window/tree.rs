@@ -10,8 +10,6 @@ use inspector::explanation::tree::MIN_SHARE;
 
 use crate::support::*;
 
-const ON_GLASS: [u32; 2] = [17, 19];
-
 /// The glass sphere with a tree of hundreds of rays.
 fn deep_glass_sphere() -> Scene {
     let mut scene = small_glass_sphere();

@@ -1,33 +1,12 @@
 //! Pixels and changes of the scene that one goes back to, compares and drags; files that are read or have an error.
 
-use eframe::egui::{Context, Key, Modifiers, accesskit::Role, vec2};
+use eframe::egui::{Key, Modifiers, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use explain::RecordedRay;
-use groundtruth::film::Film;
-use groundtruth::render;
-use groundtruth::scene::Scene;
 use inspector::action::With;
 use inspector::explanation::beside;
-use inspector::scene::fields::Change;
 use text::brief::short;
 
 use crate::support::*;
-
-const ON_GLASS: [u32; 2] = [17, 19];
-const ETA: &str = "materials.glass sphere.recipe.dielectric.inside.eta";
-
-fn eta(value: &str) -> Change {
-    Change { path: ETA.to_owned(), value: value.to_owned() }
-}
-
-fn rendered(scene: &Scene) -> Film {
-    render::render(&built(scene))
-}
-
-/// The rays of a pixel of the small glass sphere.
-fn tree_of(pixel: [u32; 2]) -> RecordedRay {
-    ray_of(&small_glass_sphere(), pixel, 0)
-}
 
 /// Law: a pinned pixel stands beside the one that is selected next: its value, a tab with the numbers of both, and the first
 /// rays that end elsewhere, which a click selects; P lets it go. Oracle: the library's two trees.
@@ -43,7 +22,7 @@ fn two_pixels_are_compared() {
     for name in ["(6, 6)", "(17, 19)"] {
         assert!(window.query_by_label(name).is_some(), "{name}");
     }
-    let [this, that] = [tree_of(other), tree_of(ON_GLASS)];
+    let [this, that] = [other, ON_GLASS].map(|pixel| ray_of(&small_glass_sphere(), pixel, 0));
     let [here, _] = beside::parting(&this, &that).expect("glass and ground");
     push(&mut window, &format!("ray {} is the first that ends elsewhere", here.number));
     assert_eq!(window.state().selection.tree.ray, here.number);
@@ -64,10 +43,6 @@ fn one_goes_back_and_forward_through_pixels() {
     }
     let at = |window: &Window| window.state().selection.pixel.expect("one is selected");
     assert_eq!(at(&window), [23, 20]);
-    let go = |window: &mut Window, key: Key| {
-        window.key_press_modifiers(Modifiers::ALT, key);
-        settle(window);
-    };
     for (key, pixel) in [
         (Key::ArrowLeft, b),
         (Key::ArrowLeft, a),
@@ -76,13 +51,13 @@ fn one_goes_back_and_forward_through_pixels() {
         (Key::ArrowRight, [23, 20]),
         (Key::ArrowRight, [23, 20]),
     ] {
-        go(&mut window, key);
+        press_with(&mut window, Modifiers::ALT, key);
         assert_eq!(at(&window), pixel);
     }
     push_button(&mut window, "‹");
     assert_eq!(at(&window), b);
     click(&mut window, c);
-    go(&mut window, Key::ArrowRight);
+    press_with(&mut window, Modifiers::ALT, Key::ArrowRight);
     assert_eq!(at(&window), c);
     push_button(&mut window, "‹");
     assert_eq!(at(&window), b);
@@ -99,10 +74,6 @@ fn changes_of_the_scene_are_undone() {
         scene.image.samples = samples;
         rendered(&scene)
     };
-    let undo = |window: &mut Window, key: Key| {
-        window.key_press_modifiers(Modifiers::COMMAND, key);
-        settle(window);
-    };
     type_number(&mut window, "Width", "50");
     type_number(&mut window, "Samples", "9");
     type_number(&mut window, "Width", "4000000000");
@@ -116,13 +87,13 @@ fn changes_of_the_scene_are_undone() {
         (Key::Y, [50, 9]),
     ];
     for (key, [width, samples]) in steps {
-        undo(&mut window, key);
+        press_with(&mut window, Modifiers::COMMAND, key);
         assert!(film(&window) == sized(width, samples), "{width} × 48, {samples} samples");
     }
     push(&mut window, "Undo");
     assert!(film(&window) == sized(50, 4));
     type_number(&mut window, "Samples", "16");
-    undo(&mut window, Key::Y);
+    press_with(&mut window, Modifiers::COMMAND, Key::Y);
     assert!(film(&window) == sized(50, 16), "nothing to do again");
 }
 
@@ -140,9 +111,7 @@ fn a_number_is_dragged_and_the_pixel_follows() {
         .center();
     point_and_press(&mut window, field);
     window.step();
-    let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
-    focused.type_text("inside.eta");
-    window.run_steps(3);
+    type_text(&mut window, "inside.eta");
     let label = window.get_by_label(ETA).rect();
     let numbers = window.get_all_by_role(Role::SpinButton).map(|node| node.rect());
     let below =
@@ -177,54 +146,6 @@ fn a_number_is_dragged_and_the_pixel_follows() {
     assert!(!eta_now.contains("eta = 1.5\n"), "{eta_now}");
     push(&mut window, "Undo");
     assert_eq!(value(&window), before);
-}
-
-/// Law: a changed number stays when the file of the scene is read again, in which something else is other. Oracle: the
-/// library's picture of both changes.
-#[test]
-fn a_changed_number_stays_when_the_file_changes() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("scene.toml");
-    let mut scene = small_glass_sphere();
-    write(&path, &scene);
-    let mut window = window_on(&path);
-    let wanted = eta("1.2").applied(&scene).expect("a field");
-    set(&mut window, |it| {
-        it.session.wanted = wanted;
-        it.session.rebuild(&Context::default());
-    });
-    scene.about = "told anew".to_owned();
-    write(&path, &scene);
-    wait_until(&mut window, "it is read", |window| {
-        window.state().session.rendering.scene.about == "told anew"
-    });
-    settle(&mut window);
-    assert!(film(&window) == rendered(&eta("1.2").applied(&scene).expect("a field")));
-}
-
-/// Law: a file that has an error leaves the picture of before, which is marked as such until the file is mended. Oracle: the
-/// words.
-#[test]
-fn the_picture_of_a_broken_file_is_marked() {
-    const MARK: &str = "the picture of before: the scene file has an error";
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("scene.toml");
-    let mut scene = small_glass_sphere();
-    write(&path, &scene);
-    let mut window = window_on(&path);
-    assert!(window.query_by_label(MARK).is_none());
-    std::fs::write(&path, "about = \n").expect("writable");
-    wait_until(&mut window, "the error", |window| window.state().message.is_some());
-    window.run_steps(3);
-    push_button(&mut window, "×");
-    assert!(window.query_by_label(MARK).is_some(), "the message is gone, the mark stays");
-    scene.about = "mended".to_owned();
-    write(&path, &scene);
-    wait_until(&mut window, "it is mended", |window| {
-        window.state().session.rendering.scene.about == "mended"
-    });
-    settle(&mut window);
-    assert!(window.query_by_label(MARK).is_none());
 }
 
 /// Law: while a file is read, the window says which. Oracle: a large file, which ends too early.
