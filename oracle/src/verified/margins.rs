@@ -14,18 +14,18 @@ use crate::{
 /// Oracle: the answer itself, for inputs moved by a quarter of the margin in random directions.
 #[test]
 fn no_change_below_the_margin_changes_the_answer() {
-    shaken(testkit::as_many(12, 100));
+    shaken(everything(testkit::as_many(12, 100)), 6, 1.0);
 }
 
-/// Judges `n` rays of each kind and family.
-fn shaken(n: usize) {
+/// Moves the inputs of each case so many times by a quarter of its margin, but of `most` at most.
+pub fn shaken(cases: impl Iterator<Item = (Kind, Family, Shape, Ray)>, moves: usize, most: f64) {
     let mut rng = SplitMix64::new(7);
-    for (kind, family, shape, ray) in everything(n) {
+    for (kind, family, shape, ray) in cases {
         let case = Case::new(&shape, &ray);
         let expected = answer(&case.shape, &case.ray);
         assert!(expected.margin >= 0.0, "{kind:?} {family:?} margin {}", expected.margin);
-        let epsilon = real(expected.margin.min(1.0) / 4.0 / shape.condition());
-        for _ in 0..6 {
+        let epsilon = real(expected.margin.min(most) / 4.0 / shape.condition());
+        for _ in 0..moves {
             let shaken = case.shaken(&epsilon, &mut rng);
             let roots = answer(&shaken.shape, &shaken.ray).roots;
             assert_eq!(

@@ -3,12 +3,10 @@
 
 #![expect(clippy::disallowed_methods, reason = "compared to 1e-7: any platform's sines will do")]
 
-use super::inputs::Case;
 use crate::{
     Ray, Shape, Solid,
-    answer::{answer, intersect},
-    hard::{Family, Kind, SplitMix64, cases},
-    real::real,
+    answer::intersect,
+    hard::{Family, Kind, cases},
 };
 
 fn solids() -> impl Iterator<Item = Kind> {
@@ -161,26 +159,11 @@ fn check_pieces(kind: Kind, solid: &Solid, ray: &Ray, roots: Vec<crate::Root>) -
 /// Law: inputs moved by a quarter of the margin do not change the answer. Oracle: the answer itself.
 #[test]
 fn no_change_below_the_margin_changes_the_answer_of_a_solid() {
-    let mut rng = SplitMix64::new(8);
-    for kind in solids() {
-        for family in Family::ALL {
-            for (shape, ray) in cases(kind, family, 32, 2) {
-                let case = Case::new(&shape, &ray);
-                let expected = answer(&case.shape, &case.ray);
-                let epsilon = real(expected.margin.min(1e-3) / 4.0);
-                for _ in 0..3 {
-                    let shaken = case.shaken(&epsilon, &mut rng);
-                    let roots = answer(&shaken.shape, &shaken.ray).roots;
-                    assert_eq!(
-                        roots.len(),
-                        expected.roots.len(),
-                        "{kind:?} {family:?} margin {:e}\n{shape:?}\n{ray:?}",
-                        expected.margin
-                    );
-                }
-            }
-        }
-    }
+    let pairs = solids().flat_map(|kind| Family::ALL.map(|family| (kind, family)));
+    let of = |(kind, family)| {
+        cases(kind, family, 32, 2).into_iter().map(move |(shape, ray)| (kind, family, shape, ray))
+    };
+    super::margins::shaken(pairs.flat_map(of), 3, 1e-3);
 }
 
 /// Law: a ray parallel to the axis of a cylinder whose bevel exceeds half the radius meets the two ends,
