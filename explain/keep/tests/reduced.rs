@@ -20,11 +20,6 @@ fn reduced(scene: &Scene, kept: Kept) -> ReducedScene {
     ReducedScene::of(scene, Path::new(""), kept).expect("it can be reduced")
 }
 
-/// Whether a scene is valid and has these bits.
-fn has_bits(scene: &Scene, pixel: [u32; 2], wanted: [u64; 3]) -> bool {
-    World::build(scene).is_ok_and(|world| bits(render::pixel(&world, pixel)) == wanted)
-}
-
 /// Law: the reduced scene, read from its text, gives the bits of the whole scene, is not longer, and without any of its
 /// objects, lights or materials it has other bits or is no scene. Oracle: the whole scene, rendered.
 #[test]
@@ -68,20 +63,19 @@ fn a_reduced_scene_gives_the_same_bits_and_needs_each_of_its_parts() {
         let length = scenefile::to_toml(&whole).unwrap().len();
         assert!(found.toml.len() <= length, "{name}: {} of {length}", found.toml.len());
         assert!(found.is_least, "{name}");
-        for index in 0..found.scene.objects.len() {
-            let mut without = found.scene.clone();
-            without.objects.remove(index);
-            assert!(!has_bits(&without, pixel, wanted), "{name} does not need object {index}");
-        }
-        for index in 0..found.scene.lights.len() {
-            let mut without = found.scene.clone();
-            without.lights.remove(index);
-            assert!(!has_bits(&without, pixel, wanted), "{name} does not need light {index}");
-        }
-        for index in 0..found.scene.materials.len() {
-            let mut without = found.scene.clone();
-            without.materials.remove(index);
-            assert!(!has_bits(&without, pixel, wanted), "{name} does not need material {index}");
+        let parts: [(&str, usize, fn(&mut Scene, usize)); 3] = [
+            ("object", found.scene.objects.len(), |it, index| drop(it.objects.remove(index))),
+            ("light", found.scene.lights.len(), |it, index| drop(it.lights.remove(index))),
+            ("material", found.scene.materials.len(), |it, index| drop(it.materials.remove(index))),
+        ];
+        for (part, count, remove) in parts {
+            for index in 0..count {
+                let mut without = found.scene.clone();
+                remove(&mut without, index);
+                let is_same = World::build(&without)
+                    .is_ok_and(|world| bits(render::pixel(&world, pixel)) == wanted);
+                assert!(!is_same, "{name} does not need {part} {index}");
+            }
         }
         smaller += u32::from(found.toml.len() < length);
     }
@@ -172,17 +166,22 @@ fn a_part_that_only_hides_another_one_goes_after_it() {
     assert_eq!(found.counts(), "1 of 3 objects, 1 of 2 lights, 1 of 3 materials");
 }
 
-/// Law: names of scenes and of their parts cannot leave their string, and a name of a file is kept. Oracle: the raw
-/// string's rules: it ends at `"` and as many `#` as it began with.
-#[test]
-fn a_name_cannot_end_the_raw_string() {
+/// What one pixel of the scene of shadows needs, of which the object has this name.
+fn renamed(name: &str) -> ReducedScene {
     let mut scene = scene_of("ch16/shadows");
     let kept = Kept { pixel: [200, 150], sample: None, seed: DEFAULT_SEED };
     let used = reduced(&scene, kept).scene.objects[0].name.clone();
     for object in scene.objects.iter_mut().filter(|object| object.name == used) {
-        object.name = "'\"##; panic!()".to_owned();
+        object.name = name.to_owned();
     }
-    let found = reduced(&scene, kept);
+    reduced(&scene, kept)
+}
+
+/// Law: names of scenes and of their parts cannot leave their string, and a name of a file is kept. Oracle: the raw
+/// string's rules: it ends at `"` and as many `#` as it began with.
+#[test]
+fn a_name_cannot_end_the_raw_string() {
+    let found = renamed("'\"##; panic!()");
     let text = found.rust_test("a\n\"b", Path::new("a\"b/scene.toml"));
     let (_, scene_text) = text.split_once("const SCENE: &str = r").unwrap();
     let hashes = "#".repeat(scene_text.chars().take_while(|&c| c == '#').count());
@@ -199,13 +198,7 @@ fn a_name_cannot_end_the_raw_string() {
 /// scene is the same. Oracle: the characters of the text; the scene that the literal is of.
 #[test]
 fn a_name_cannot_turn_the_text_of_a_test() {
-    let mut scene = scene_of("ch16/shadows");
-    let kept = Kept { pixel: [200, 150], sample: None, seed: DEFAULT_SEED };
-    let used = reduced(&scene, kept).scene.objects[0].name.clone();
-    for object in scene.objects.iter_mut().filter(|object| object.name == used) {
-        object.name = "\u{202e}'\"\u{1b}[31m".to_owned();
-    }
-    let found = reduced(&scene, kept);
+    let found = renamed("\u{202e}'\"\u{1b}[31m");
     let text = found.rust_test("ch16/\u{202e}shadows", Path::new("scene.toml"));
     let obeyed = |c: char| c != '\n' && groundtruth::printable::is_obeyed(c);
     assert_eq!(text.chars().find(|c| obeyed(*c)), None, "a character that a terminal obeys");
