@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
 use report::PAGES;
+use testkit::same_text::{Printed, hold};
 
-use crate::kit::{root, text_of};
+use crate::kit::{Folder, root, text_of};
 
 fn documents() -> Vec<PathBuf> {
     let names = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
@@ -76,6 +77,33 @@ fn the_readme_names_only_commands_and_scenes_that_exist() {
         }
     }
     assert!(count >= 2, "found no scenes in the README: the search for them is broken");
+}
+
+/// Law: the commands that documents show print what they show, with these exit statuses: two pictures, each rendered and judged; a
+/// lobe and a light; and the tour of docs/ci.md, whose first lines render the sets. Oracle: the documents.
+#[test]
+fn documents_show_what_is_printed() {
+    for (document, place, statuses, printed) in [
+        ("docs/verify.md", "", &[0, 0, 0, 1][..], Printed::Rounded),
+        ("docs/laws.md", "cd $ROOT; ", &[1, 1], Printed::Exactly),
+        ("docs/ci.md", "", &[0, 1], Printed::Exactly),
+    ] {
+        let (page, folder, mut found) = (text_of(document), Folder::new(), Vec::new());
+        let mut should_say = page.clone();
+        for block in page.split("```sh\n").filter(|block| block.starts_with("mkdir reference")) {
+            folder.good(block.split("```").next().expect("lines"));
+        }
+        for block in page.split("```console\n$ ").skip(1) {
+            let (block, _) = block.split_once("```").expect("it ends");
+            let (command, shown) = block.split_once('\n').expect("a command");
+            let run = folder.run(&format!("{place}{command}"));
+            let [old, new] = [shown, &run.stdout].map(|text| format!("$ {command}\n{text}```"));
+            should_say = should_say.replacen(&old, &new, 1);
+            found.extend(run.status);
+        }
+        assert_eq!(found, statuses, "the exit statuses of {document}");
+        hold(&root().join(document), &should_say, printed);
+    }
 }
 
 /// Law: the program in the README is the example, without its header comment. The example is compiled with

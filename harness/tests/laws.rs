@@ -9,21 +9,13 @@ use crate::kit::{Folder, has, root, text_of};
 #[path = "../../examples/laws/init.rs"]
 mod init;
 
-/// Law: the commands that docs/laws.md shows print what it shows, and its tables have every law. Oracle: the document.
+/// Law: the tables of docs/laws.md have every law. Oracle: the document.
 #[test]
-fn the_document_shows_what_is_printed() {
+fn the_document_has_every_law() {
     let page = text_of("docs/laws.md");
     for law in Kind::ALL.into_iter().flat_map(Law::of) {
         let row = format!("| {} | {} | {} |", law.name, law.sentence, law.cause);
         assert!(page.contains(&row.replace("|cos θi|", "\\|cos θi\\|")), "no row for {}", law.name);
-    }
-    let blocks: Vec<&str> = page.split("$ groundtruth laws ").skip(1).collect();
-    assert_eq!(blocks.len(), 2, "an example of a lobe, and one of a map");
-    for block in blocks {
-        let (line, rest) = block.split_once('\n').expect("a line");
-        let (shown, _) = rest.split_once("```").expect("the end of the block");
-        let told = Folder::new().run(&format!("cd $ROOT; groundtruth laws {line}"));
-        assert_eq!(told.expect(1, &[]).stdout, shown);
     }
 }
 

@@ -20,4 +20,3 @@ mod scene_reference;
 mod sets;
 mod structure;
 mod told;
-mod verify;

@@ -8,7 +8,7 @@ use groundtruth::film::{self, Film, Tone};
 use groundtruth::math::Pcg32;
 use groundtruth::rgb::Rgb;
 
-use crate::kit::{Folder, Run, text_of};
+use crate::kit::{Folder, Run};
 
 /// A grey picture with noise, written into a folder.
 fn picture(folder: &Folder, [side, seed]: [u32; 2], brightness: f64) -> String {
@@ -133,28 +133,4 @@ fn an_interrupted_comparison_has_status_130() {
     assert_eq!(output.status.code(), Some(130), "{said}");
     assert!(said.ends_with("interrupted; nothing was written\n"), "{said}");
     assert!(!folder.path().join("page.html").exists(), "{said}");
-}
-
-/// Law: the tour of docs/ci.md can be taken: its lines render the sets, and its commands print what it shows, with these
-/// exit statuses. Oracle: the document.
-#[test]
-fn the_tour_of_the_document_can_be_taken() {
-    let page = text_of("docs/ci.md");
-    let folder = Folder::new();
-    let blocks: Vec<&str> = page.split("```").collect();
-    let rendered: Vec<&str> = blocks
-        .iter()
-        .filter(|block| block.starts_with("sh\nmkdir reference"))
-        .filter_map(|block| block.strip_prefix("sh\n"))
-        .collect();
-    assert_eq!(rendered.len(), 1);
-    folder.good(rendered[0]);
-    let mut statuses = Vec::new();
-    for block in blocks.iter().filter_map(|block| block.strip_prefix("console\n$ ")) {
-        let (line, shown) = block.split_once('\n').expect("what is printed");
-        let run = folder.run(line);
-        assert_eq!(run.stdout, shown);
-        statuses.push(run.status);
-    }
-    assert_eq!(statuses, [Some(0), Some(1)]);
 }
