@@ -3,14 +3,10 @@
 use ask::Subject;
 use serde_json::{Value, json};
 
-use super::counted::{Lambert, Vector, card, data, dot, vector};
+use super::counted::{Lambert, Vector, card, data, dot, minus, vector};
 use super::lamps::Lamps;
 use super::named::Changed;
 use super::squares::Squares;
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|k| a[k] - b[k])
-}
 
 /// Law: what rounding may do is measured in four directions around each: twice the square root of the rounding away, two and two
 /// opposite, at right angles. Oracle: the geometry of the questions, for 2⁻⁵³.

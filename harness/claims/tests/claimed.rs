@@ -6,24 +6,15 @@ use claims::{ClaimsOptions, run};
 use serde_json::{Value, json};
 
 use super::counted::{Lambert, card, first};
-use super::mistakes::times;
+use super::mistakes::scaled;
 use super::rough::Rough;
-
-/// Gives the answer of Lambert's lobe another albedo.
-fn with_albedo(answer: &mut Value, albedo: f64) {
-    let factor = albedo / 0.7;
-    match answer {
-        Value::Array(samples) => samples.iter_mut().for_each(|it| times(&mut it["weight"], factor)),
-        eval => times(&mut eval["f"], factor),
-    }
-}
 
 /// The first law that Lambert's lobe breaks with these claims and this albedo; with numbers of its own, whose samples come in
 /// another order each time.
 fn broken(claims: Value, albedo: f64, is_own: bool) -> Option<&'static str> {
     let mut asked = 0;
-    let change = |_: &Value, mut answer: Value| {
-        with_albedo(&mut answer, albedo);
+    let change = |_: &Value, answer: Value| {
+        let mut answer = scaled(answer, "f", &["weight"], albedo / 0.7);
         if let Some(samples) = answer.as_array_mut().filter(|_| is_own) {
             asked += 1;
             let count = samples.len();
@@ -63,10 +54,7 @@ fn the_white_furnaces_of_openpbr_find_a_loss() {
         assert!(OPENPBR.split_whitespace().any(|known| known == name), "no parameter {name}");
     }
     for (albedo, expected) in [(1.0, None), (0.99, Some("albedo"))] {
-        let change = |_: &Value, mut answer: Value| {
-            with_albedo(&mut answer, albedo);
-            answer
-        };
+        let change = |_: &Value, answer| scaled(answer, "f", &["weight"], albedo / 0.7);
         let mut lambert = Lambert::new(json!({}), json!({}), change);
         let card = run(&mut lambert, &lobes, ClaimsOptions { cases: 2, seed: 5 }, &mut |_| {});
         for row in &card.rows {

@@ -4,13 +4,13 @@
 use ask::{Reply, Subject, numbers};
 use std::f64::consts::PI;
 
-use claims::{ClaimsCard, ClaimsOptions, junit, listed, page, run, told};
+use claims::{ClaimsCard, junit, page, told};
 use serde_json::{Value, json};
 
 /// Lambert's lobe, whose answers may be changed, and what it was asked.
 pub struct Lambert<F> {
     claims: Value,
-    parameters: Value,
+    pub parameters: Value,
     /// From question and answer.
     change: F,
     pub heard: Vec<Value>,
@@ -64,8 +64,7 @@ impl<F: FnMut(&Value, Value) -> Value> Subject for Lambert<F> {
 }
 
 pub fn card(subject: &mut dyn Subject, cases: usize) -> ClaimsCard {
-    let lobes = listed(subject).expect("it lists one");
-    run(subject, &lobes, ClaimsOptions { cases, seed: 5 }, &mut |_| {})
+    super::right::card(subject, cases, 5)
 }
 
 pub fn first(card: &ClaimsCard) -> Option<&'static str> {
@@ -92,6 +91,10 @@ pub fn vector(value: &Value) -> Vector {
 
 pub fn dot(a: Vector, b: Vector) -> f64 {
     (0..3).map(|k| a[k] * b[k]).sum()
+}
+
+pub fn minus(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|k| a[k] - b[k])
 }
 
 /// The data of a question.
@@ -199,8 +202,7 @@ fn what_is_asked_again_has_numbers_of_its_own() {
 fn scrambled_points_have_the_variance_of_independent_ones() {
     let shares = (0..8).map(|seed| {
         let mut map = super::squares::Squares::new(&["disk"], "scrambled", false);
-        let maps = listed(&mut map).expect("it lists one");
-        let card = run(&mut map, &maps, ClaimsOptions { cases: 1, seed }, &mut |_| {});
+        let card = super::right::card(&mut map, 1, seed);
         let broken = card.rows[0].broken().find(|(law, _)| law.name == "stratified");
         let (_, broken) =
             broken.unwrap_or_else(|| panic!("scrambled points are not found\n{card}"));

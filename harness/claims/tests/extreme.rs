@@ -1,7 +1,7 @@
 //! Extreme names: none commands a terminal, and each is asked as it is.
 
 use ask::Invocation;
-use claims::{ClaimsCard, ClaimsOptions, junit, listed, page, run, told};
+use claims::{ClaimsCard, junit, page, told};
 use groundtruth::printable;
 use serde_json::{Value, json};
 
@@ -40,9 +40,7 @@ fn names_command_no_terminal_and_are_asked_as_they_are() {
     let names = ["b\u{202e}\u{1b}[31mc\r\n", "\"<&>'\u{7f}\u{e0001}", &"n".repeat(900)];
     for name in names {
         let mut subject = Answers(|question: &Value| Ok(answer(name, question)));
-        let lobes = listed(&mut subject).expect("a list");
-        let card = run(&mut subject, &lobes, ClaimsOptions { cases: 1, seed: 3 }, &mut |_| {});
-        let text = forms(&card);
+        let text = forms(&super::right::card(&mut subject, 1, 3));
         let question = text.lines().find_map(|line| line.trim().strip_prefix("question    "));
         let read: Value = serde_json::from_str(question.expect("one")).expect("JSON");
         assert_eq!(read["eval"]["lobe"], name);

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 use serde_json::{Value, json};
 
-pub type V = [f64; 3];
+use super::counted::{Vector as V, dot, minus};
 
 /// The lights that answer.
 pub const ALL: [&str; 5] = ["rectangle", "window", "ball", "cone", "sky"];
@@ -40,16 +40,8 @@ struct At {
     pdf: f64,
 }
 
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 fn along(p: V, t: f64, w: V) -> V {
     [0, 1, 2].map(|i| p[i] + t * w[i])
-}
-
-fn minus(a: V, b: V) -> V {
-    [0, 1, 2].map(|i| a[i] - b[i])
 }
 
 fn unit(a: V) -> V {

@@ -3,7 +3,6 @@
 use ask::{Reply, Subject};
 use std::f64::consts::PI;
 
-use claims::{ClaimsCard, ClaimsOptions, listed, run};
 use serde_json::{Value, json};
 
 use super::counted::{Lambert, Vector, data, dot, vector};
@@ -31,9 +30,8 @@ impl<S: Subject, F: FnMut(&Value, &mut Value)> Subject for Changed<S, F> {
 
 /// What all breaches of a subject take the mistake to be.
 fn named(subject: &mut dyn Subject, cases: usize) -> Vec<String> {
-    let all = listed(subject).expect("it lists them");
     // the second case may be seen from below
-    let card: ClaimsCard = run(subject, &all, ClaimsOptions { cases, seed: 3 }, &mut |_| {});
+    let card = super::right::card(subject, cases, 3);
     assert!(card.is_failed(), "a factor is found: {card}");
     let broken = card.rows[0].broken();
     broken.filter_map(|(_, broken)| broken.breach.mistake.clone()).collect()

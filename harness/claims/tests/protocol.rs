@@ -3,7 +3,7 @@
 use ask::{Fault, Reply, Stop, numbers};
 use std::f64::consts::TAU;
 
-use claims::{ClaimsOptions, junit, listed, page, run, told};
+use claims::{junit, listed, page, told};
 use groundtruth::math::{Frame, Normal, Vector, cos, sin};
 use libm::{exp, log};
 use serde_json::{Value, json};
@@ -38,8 +38,7 @@ fn card(answer: impl Fn(&Value) -> Reply) -> claims::ClaimsCard {
         Some(_) => Ok(json!([{"name": "<x> & y"}])),
         None => answer(question),
     });
-    let lobes = listed(&mut subject).expect("it lists one");
-    run(&mut subject, &lobes, ClaimsOptions { cases: 2, seed: 1 }, &mut |_| {})
+    super::right::card(&mut subject, 2, 1)
 }
 
 /// Law: lobes without an answer that can be judged are not called right, and the reason is told on each form of the card.
@@ -80,9 +79,7 @@ fn an_interrupted_run_says_so_on_each_form() {
             }
             None => Err(Stop::NotAsked),
         });
-        let lobes = listed(&mut subject).expect("a list");
-        let options = ClaimsOptions { cases: 2, seed: 1 };
-        let card = run(&mut subject, &lobes, options, &mut |_| {});
+        let card = super::right::card(&mut subject, 2, 1);
         assert!(!card.is_whole && card.rows.len() == 3);
         let program = ["./mine".to_owned()];
         let invocation = ask::Invocation { program: &program, ..Default::default() };

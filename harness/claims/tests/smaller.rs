@@ -1,6 +1,5 @@
 //! The case that a card shows is small: a mistake made on purpose is told with the simplest numbers that have it.
 
-use ask::{Reply, Subject, numbers};
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
@@ -8,6 +7,8 @@ use claims::{Broken, ClaimsCard};
 use groundtruth::math::{cos, sin};
 use serde_json::{Value, json};
 
+use super::counted::{Lambert, data, vector};
+use super::mistakes::scaled;
 use super::right::card;
 
 /// Parameters and viewer of a question.
@@ -17,17 +18,6 @@ struct At<'a> {
     coat: &'a str,
     wo: [f64; 3],
     given: &'a Value,
-}
-
-/// Lambert's lobe, or a mirror, with parameters that change nothing but its mistake.
-struct Planted<F> {
-    parameters: Value,
-    /// f, or the weight of a mirror, is multiplied by this: 1 where there is no mistake.
-    factor: F,
-    mistake: Mistake,
-    /// Questions, and the parameters in them.
-    asked: usize,
-    settings: BTreeSet<String>,
 }
 
 /// What is wrong where the factor is not 1.
@@ -41,56 +31,40 @@ enum Mistake {
     Mirror,
 }
 
-impl<F: Fn(&At) -> f64> Planted<F> {
-    fn new(mistake: Mistake, factor: F) -> Self {
-        let coat = json!({"one_of": ["none", "thin", "thick"]});
-        let parameters = json!({"a": [0.001, 1], "b": [0, 10], "coat": coat});
-        Self { parameters, factor, mistake, asked: 0, settings: BTreeSet::new() }
-    }
-
-    fn answer(&mut self, question: &Value) -> Value {
-        if question.get("list").is_some() {
-            let claims = json!({"from_below": true, "delta": self.mistake == Mistake::Mirror});
-            return json!([{"name": "planted", "parameters": self.parameters, "claims": claims}]);
-        }
-        let is_eval = question.get("eval").is_some();
-        let data = &question[if is_eval { "eval" } else { "sample" }];
-        let given = &data["parameters"];
-        self.settings.insert(given.to_string());
-        let vector = |w: &Value| -> [f64; 3] {
-            numbers(w).and_then(|w| w.try_into().ok()).expect("a direction")
-        };
+/// Lambert's lobe, or a mirror, with parameters that change nothing but its mistake. The mistake is made where `factor` is not
+/// 1, by which f, or the weight of a mirror, is multiplied.
+fn planted(
+    mistake: Mistake,
+    factor: impl Fn(&At) -> f64,
+) -> Lambert<impl FnMut(&Value, Value) -> Value> {
+    let coat = json!({"one_of": ["none", "thin", "thick"]});
+    let parameters = json!({"a": [0.001, 1], "b": [0, 10], "coat": coat});
+    let claims = json!({"from_below": true, "delta": mistake == Mistake::Mirror});
+    Lambert::new(claims, parameters, move |question, answer| {
+        let (data, given) = (data(question), &data(question)["parameters"]);
         let wo = vector(&data["wo"]);
         let [a, b] = ["a", "b"].map(|key| given[key].as_f64().unwrap_or(0.0));
         let coat = given["coat"].as_str().unwrap_or_default();
-        let factor = (self.factor)(&At { a, b, coat, wo, given });
-        let list = |key: &str| data[key].as_array().expect("a list").iter();
-        if is_eval {
-            let is_lit = |w: &Value| vector(w)[2] * wo[2] > 0.0;
-            let f = if self.mistake == Mistake::Value { 0.4 * factor } else { 0.4 } * FRAC_1_PI;
-            let f: Vec<f64> = list("wi").map(|w| if is_lit(w) { f } else { 0.0 }).collect();
-            let pdf = |w: &Value| if is_lit(w) { vector(w)[2].abs() * FRAC_1_PI } else { 0.0 };
-            return json!({"f": f, "pdf": list("wi").map(pdf).collect::<Vec<f64>>()});
-        }
-        let drawn = |u: &Value| {
-            if self.mistake == Mistake::Mirror {
-                return json!({"wi": [-wo[0], -wo[1], wo[2]], "weight": 0.9 * factor, "pdf": null});
+        let factor = factor(&At { a, b, coat, wo, given });
+        let us = data["u"].as_array();
+        match (mistake, us) {
+            (Mistake::Value, _) => scaled(answer, "f", &[], factor),
+            (Mistake::Density, Some(us)) if factor != 1.0 => {
+                let drawn = |u: &Value| {
+                    let [r, u1, _] = vector(u);
+                    let (phi, z) = (TAU * u1, (1.0 - r * r).sqrt());
+                    let wi = [r * cos(phi), r * sin(phi), z.copysign(wo[2])];
+                    json!({"wi": wi, "weight": 0.7, "pdf": z * FRAC_1_PI})
+                };
+                us.iter().map(drawn).collect()
             }
-            let u = numbers(u).expect("numbers");
-            let is_wrong = self.mistake == Mistake::Density && factor != 1.0;
-            let r = if is_wrong { u[0] } else { u[0].sqrt() };
-            let (phi, z) = (TAU * u[1], (1.0 - r * r).sqrt());
-            json!({"wi": [r * cos(phi), r * sin(phi), z.copysign(wo[2])], "weight": 0.4, "pdf": z * FRAC_1_PI})
-        };
-        list("u").map(drawn).collect()
-    }
-}
-
-impl<F: Fn(&At) -> f64> Subject for Planted<F> {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        self.asked += questions.len();
-        questions.iter().map(|question| Ok(self.answer(question))).collect()
-    }
+            (Mistake::Mirror, Some(us)) => {
+                let wi = [-wo[0], -wo[1], wo[2]];
+                vec![json!({"wi": wi, "weight": 0.9 * factor, "pdf": null}); us.len()].into()
+            }
+            _ => answer,
+        }
+    })
 }
 
 /// The case of the first broken law, which has this name.
@@ -108,7 +82,7 @@ const NORMAL: [f64; 3] = [0.0, 0.0, 1.0];
 #[test]
 fn a_mistake_is_told_with_the_simplest_numbers_that_have_it() {
     type Has = fn(&At) -> bool;
-    let planted: [(Has, [f64; 2], &str, [f64; 3]); 8] = [
+    let rows: [(Has, [f64; 2], &str, [f64; 3]); 8] = [
         (|_| true, [1.0, 0.0], "none", NORMAL),
         (|at| at.a < 0.3, [0.1, 0.0], "none", NORMAL),
         (|at| at.a > 0.4 && at.a < 0.6, [0.5, 0.0], "none", NORMAL),
@@ -118,8 +92,8 @@ fn a_mistake_is_told_with_the_simplest_numbers_that_have_it() {
         (|at| at.wo[2] < 0.0, [1.0, 0.0], "none", [0.0, 0.0, -1.0]),
         (|at| at.wo[2].abs() < 0.7, [1.0, 0.0], "none", [0.8, 0.0, 0.6]),
     ];
-    for (row, (has, [a, b], coat, wo)) in planted.into_iter().enumerate() {
-        let mut lobe = Planted::new(Mistake::Mirror, |at| if has(at) { 2.0 } else { 1.0 });
+    for (row, (has, [a, b], coat, wo)) in rows.into_iter().enumerate() {
+        let mut lobe = planted(Mistake::Mirror, |at| if has(at) { 2.0 } else { 1.0 });
         let card = card(&mut lobe, 40, 1);
         let setting = &broken(&card, "albedo").setting;
         let expected = json!({"a": a, "b": b, "coat": coat});
@@ -134,10 +108,10 @@ fn a_mistake_is_told_with_the_simplest_numbers_that_have_it() {
 fn a_viewer_keeps_what_the_mistake_needs() {
     let grazing = |at: &At| if at.wo[2].abs() < 0.1 { 2.0 } else { 1.0 };
     let seen = |card: &ClaimsCard| broken(card, "albedo").setting.seen.expect("a viewer");
-    let [x, y, z] = seen(&card(&mut Planted::new(Mistake::Mirror, grazing), 8, 1));
+    let [x, y, z] = seen(&card(&mut planted(Mistake::Mirror, grazing), 8, 1));
     assert!(x > 0.9 && y == 0.0 && z > 0.0 && z < 0.1, "{:?}", [x, y, z]);
     let behind = |at: &At| if at.wo[0] < -0.1 { 2.0 } else { 1.0 };
-    let [x, _, z] = seen(&card(&mut Planted::new(Mistake::Mirror, behind), 20, 1));
+    let [x, _, z] = seen(&card(&mut planted(Mistake::Mirror, behind), 20, 1));
     assert!(x < -0.1 && z > 0.0, "{x} {z}");
 }
 
@@ -147,7 +121,7 @@ fn a_viewer_keeps_what_the_mistake_needs() {
 fn the_mistake_stays_the_same() {
     // 5 and 10 have fewer digits, but an error of 3 % only
     let gross = |at: &At| if at.b < 4.9 { 2.0 } else { 1.15 };
-    let mut lobe = Planted::new(Mistake::Mirror, gross);
+    let mut lobe = planted(Mistake::Mirror, gross);
     lobe.parameters = json!({"b": [4.7, 10]});
     let large = card(&mut lobe, 2, 1);
     let Broken { setting, breach } = broken(&large, "albedo");
@@ -155,7 +129,7 @@ fn the_mistake_stays_the_same() {
     assert!(breach.error > 0.4, "{large}");
     // at the normal there is another one, ½
     let named = |at: &At| if at.wo[2].abs() > 0.99 { 0.5 } else { at.wo[2].abs() };
-    let mut lobe = Planted::new(Mistake::Value, named);
+    let mut lobe = planted(Mistake::Value, named);
     let named = card(&mut lobe, 1, 1);
     let Broken { setting, breach } = broken(&named, "weight");
     assert_eq!(setting.seen, Some([0.6, 0.0, 0.8]), "{named}");
@@ -166,7 +140,7 @@ fn the_mistake_stays_the_same() {
 #[test]
 fn a_law_of_chance_is_told_with_a_small_case() {
     let factor = |at: &At| if at.a < 0.3 { 2.0 } else { 1.0 };
-    let card = card(&mut Planted::new(Mistake::Density, factor), 1, 1);
+    let card = card(&mut planted(Mistake::Density, factor), 1, 1);
     let setting = &broken(&card, "density").setting;
     assert_eq!(setting.parameters["a"], json!(0.1), "{card}");
     assert_eq!(setting.seen, Some(NORMAL), "{card}");
@@ -183,15 +157,17 @@ fn the_search_is_bounded() {
     // 60 beside the first; fewer where each needs many questions
     for (mistake, most) in [(Mistake::Mirror, 61), (Mistake::Density, 30)] {
         let factor = |at: &At| if *at.given == first { 2.0 } else { 1.0 };
-        let mut lobe = Planted::new(mistake, factor);
+        let mut lobe = planted(mistake, factor);
         lobe.parameters = of(json!([0.0123, 0.987]));
         let card = card(&mut lobe, 1, 1);
         let findings = card.rows[0].broken().count();
         assert!(findings > 0, "{card}");
-        let settings = lobe.settings.len();
+        let settings = lobe.heard.iter().map(|question| data(question)["parameters"].to_string());
+        let settings = settings.collect::<BTreeSet<_>>().len();
         assert!(settings > 2 && settings <= most, "{settings} settings");
         assert!(mistake != Mistake::Mirror || settings == most, "{settings} settings");
         // a law of chance is asked again with ten times the samples, and may ask for one case more than the bound
-        assert!(lobe.asked <= 1200 + findings * 720, "{} questions", lobe.asked);
+        let asked = lobe.heard.len();
+        assert!(asked < 1200 + findings * 720, "{asked} questions");
     }
 }
