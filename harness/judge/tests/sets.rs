@@ -14,9 +14,7 @@ use judge::verdict::Answer;
 use pictures::compare::Picture;
 use rayon::prelude::*;
 
-use synthetic::{
-    Noise, SIZE, brighter, differ, pictures, verdict, verdict_of_regions, without_a_lamp,
-};
+use synthetic::{Noise, SIZE, brighter, differ, pictures, verdict, verdict_at, without_a_lamp};
 use testkit::as_many;
 
 const LEVEL: f64 = 0.01;
@@ -249,7 +247,7 @@ fn regions_are_named() {
     let colors: Vec<f32> =
         pixels.flat_map(|at| if is_inside(at) { [1.0, 0.0, 0.0] } else { [0.0; 3] }).collect();
     let regions = Picture::of_radiance(&colors, SIZE);
-    let found = verdict_of_regions(&before, &after, &regions);
+    let found = verdict_at([&before, &after], Some(&regions), LEVEL);
     assert_eq!(found.areas[0].name, "region #ff0000", "{found}");
     let red = found.means.iter().find(|means| means.name == "region #ff0000").expect("listed");
     let [_, low, high] = red.relative.expect("it is not black");

@@ -162,7 +162,7 @@ fn intervals_of_sets_have_their_level() {
                 .for_each(|x| *x = (1.1 * f64::from(*x) + 0.02 * normal(random)) as f32);
         }
         for (which, after) in [after, paired].iter().enumerate() {
-            let found = verdict_at(&before, after, 0.1);
+            let found = verdict_at([&before, after], None, 0.1);
             let [_, low, high] = found.means[0].relative.expect("not black");
             // relative to the mean before, which is known to a hundredth of the interval's width
             outside[which][0] += f64::from(u8::from(0.1 < low));

@@ -110,11 +110,14 @@ pub fn moved(picture: &Picture, from: &dyn Fn([u32; 2]) -> [u32; 2]) -> Picture 
 }
 
 pub fn verdict(before: &[Picture], after: &[Picture]) -> SetsVerdict {
-    of(Sets::new([before, after].map(<[Picture]>::to_vec), None).expect("one size"))
+    verdict_at([before, after], None, super::LEVEL)
 }
 
-pub fn verdict_of_regions(before: &[Picture], after: &[Picture], regions: &Picture) -> SetsVerdict {
-    of(Sets::new([before, after].map(<[Picture]>::to_vec), Some(regions)).expect("one size"))
+/// The verdict with these regions at this level, which nobody interrupts.
+pub fn verdict_at(sets: [&[Picture]; 2], regions: Option<&Picture>, level: f64) -> SetsVerdict {
+    let sets = Sets::new(sets.map(<[Picture]>::to_vec), regions).expect("one size");
+    let watch = Watch { tried: &|| (), interrupted: &AtomicBool::new(false) };
+    SetsVerdict::of(sets, level, watch).expect("it is not interrupted")
 }
 
 /// Whether two sets differ. Of sets that agree it is not found out what would have been seen, which takes twenty times as long:
@@ -133,19 +136,4 @@ pub fn differ(before: &[Picture], after: &[Picture]) -> bool {
     let sets = Sets::new([before, after].map(<[Picture]>::to_vec), None).expect("one size");
     let found = SetsVerdict::of(sets, super::LEVEL, watch);
     found.is_some_and(|found| found.decision == SetsDecision::Differ)
-}
-
-/// The verdict at another level.
-pub fn verdict_at(before: &[Picture], after: &[Picture], level: f64) -> SetsVerdict {
-    at(Sets::new([before, after].map(<[Picture]>::to_vec), None).expect("one size"), level)
-}
-
-fn of(sets: Sets) -> SetsVerdict {
-    at(sets, super::LEVEL)
-}
-
-/// The verdict, which nobody interrupts.
-fn at(sets: Sets, level: f64) -> SetsVerdict {
-    let watch = Watch { tried: &|| (), interrupted: &AtomicBool::new(false) };
-    SetsVerdict::of(sets, level, watch).expect("it is not interrupted")
 }

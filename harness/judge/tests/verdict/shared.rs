@@ -35,13 +35,9 @@ pub struct Shared {
 
 impl Shared {
     pub fn new(name: &str, [side, samples, replicas]: [u32; 3]) -> Self {
-        let mut world = world(&scene(name, [side; 2], samples), 1);
-        let areas = Areas::of(&world);
-        let seeds = (1000..).take(replicas as usize);
-        let usual = films(&mut world, seeds.clone());
         let random = with_sampler(scene(name, [side; 2], samples), samplers::Random {}.into());
-        let independent = films(&mut super::pictures::world(&random, 1), seeds);
-        Self { areas, films: usual, independent }
+        let independent = films(&mut world(&random, 1), (1000..).take(replicas as usize));
+        Self { independent, ..Self::usual(name, [side, samples, replicas]) }
     }
 
     /// For pictures whose noise is ours.
