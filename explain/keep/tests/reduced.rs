@@ -63,7 +63,8 @@ fn a_reduced_scene_gives_the_same_bits_and_needs_each_of_its_parts() {
         let length = scenefile::to_toml(&whole).unwrap().len();
         assert!(found.toml.len() <= length, "{name}: {} of {length}", found.toml.len());
         assert!(found.is_least, "{name}");
-        let parts: [(&str, usize, fn(&mut Scene, usize)); 3] = [
+        type Part = (&'static str, usize, fn(&mut Scene, usize));
+        let parts: [Part; 3] = [
             ("object", found.scene.objects.len(), |it, index| drop(it.objects.remove(index))),
             ("light", found.scene.lights.len(), |it, index| drop(it.lights.remove(index))),
             ("material", found.scene.materials.len(), |it, index| drop(it.materials.remove(index))),
