@@ -12,6 +12,7 @@ use ask::Asking;
 use conform::family::Judge;
 use conform::mistakes::{self as m, Mistake, Name};
 use conform::{Judgement, Ours, Profile, Status, Wrong, ours};
+use groundtruth::math::Vector;
 use judge::mistakes::known::{self, KnownMistake};
 use serde_json::{Value, json};
 
@@ -97,16 +98,6 @@ fn what_is_asked_for_is_asked_for_still() {
     let failure = card.rows[0].failure.as_ref().expect("it fails");
     assert!(failure.question["lobe"]["u"].is_array(), "{}", failure.question);
     assert!(passes_when_right("lobe.lambertian.sample", &failure.question));
-}
-
-/// `a`, `b` and `c` of a sphere's equation `a t² + 2 b t + c = 0`.
-fn quadratic(question: &Value) -> [f64; 3] {
-    let sphere = &data(question)["shape"]["sphere"];
-    let [o, d] = ["origin", "direction"].map(|it| vector(&data(question)["ray"][it]));
-    let (center, radius) = (vector(&sphere["center"]), sphere["radius"].as_f64().unwrap_or(1.0));
-    let l: [f64; 3] = std::array::from_fn(|i| o[i] - center[i]);
-    let dot = |x: [f64; 3], y: [f64; 3]| (0..3).map(|i| x[i] * y[i]).sum::<f64>();
-    [dot(d, d), dot(l, d), dot(l, l) - radius * radius]
 }
 
 #[test]
@@ -222,7 +213,12 @@ fn a_specific_name_replaces_the_sign() {
 #[test]
 fn cancellation_is_named() {
     let mut textbook = Altered(|q, a| {
-        let [a2, b, c] = quadratic(q);
+        let sphere = &data(q)["shape"]["sphere"];
+        let [o, d] = ["origin", "direction"].map(|it| Vector::from(vector(&data(q)["ray"][it])));
+        let (center, radius) = (vector(&sphere["center"]), sphere["radius"].as_f64());
+        let l = o - Vector::from(center);
+        // a t² + 2 b t + c = 0
+        let (a2, b, c) = (d.dot(d), l.dot(d), l.dot(l) - radius.map_or(1.0, |r| r * r));
         let root = (4.0 * b * b - 4.0 * a2 * c).sqrt();
         let ts = [(-2.0 * b - root) / (2.0 * a2), (-2.0 * b + root) / (2.0 * a2)];
         let least = data(q)["span"][0].as_f64().unwrap_or(0.0);
