@@ -284,17 +284,6 @@ fn drawn(window: &Window) -> Vec<&Shape> {
     found
 }
 
-/// The texts that are drawn with an ellipsis, whole, each with its place.
-fn cut_texts(window: &Window) -> Vec<(String, Rect)> {
-    let cut = |shape: &Shape| match shape {
-        Shape::Text(text) if text.galley.elided => {
-            Some((text.galley.job.text.clone(), text.visual_bounding_rect()))
-        }
-        _ => None,
-    };
-    drawn(window).into_iter().filter_map(cut).collect()
-}
-
 /// Law: no line of the section goes through its words, and no words lie on others. Oracle: a hundred points of each line that
 /// is drawn, and the rectangles of the texts.
 #[test]
@@ -339,7 +328,14 @@ fn no_text_is_cut_without_a_tool_tip() {
         click(&mut window, ON_GLASS);
         for tab in ["The ray", "The section", "The sum", "The samples"] {
             push(&mut window, tab);
-            for (text, place) in cut_texts(&window) {
+            let cut = |shape: &Shape| match shape {
+                Shape::Text(text) if text.galley.elided => {
+                    Some((text.galley.job.text.clone(), text.visual_bounding_rect()))
+                }
+                _ => None,
+            };
+            let texts: Vec<_> = drawn(&window).into_iter().filter_map(cut).collect();
+            for (text, place) in texts {
                 let told = |window: &Window| {
                     window.query_all_by(|node| text_of(node).contains(&text)).count()
                 };
