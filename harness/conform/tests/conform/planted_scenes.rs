@@ -4,7 +4,7 @@ use conform::{Profile, Status};
 use judge::mistakes::known;
 use serde_json::{Value, json};
 
-use super::altered::{Says, card_with, instead};
+use super::altered::{Says, card_with, families, instead, options};
 
 /// Families, each with a mistake that it shows.
 const PLANTED: [(&str, &str); 27] = [
@@ -82,4 +82,22 @@ fn planted_mistakes_of_scenes_are_found_and_named() {
         }
     };
     assert_eq!(named("radiance.lamp.sphere", brighter), (true, Vec::new()), "a brighter lamp");
+}
+
+/// Law: a mistake that one family of scenes shows, and another of the chapter would, has no name if the other is right. Oracle: our
+/// tracer, changed for the questions of one family.
+#[test]
+fn right_answers_to_other_scenes_refute_a_name() {
+    let [own, other] = ["radiance.lights.several.values", "radiance.basics.several_lights.values"];
+    let cases = (families(&[own])[0].cases)(options(0).seed, 24);
+    let first_light = known::find("only-first-light").expect("it is in the file");
+    let mut planter = Says(|question: &Value| {
+        let is_own = cases.contains(question);
+        instead(question, |data| _ = is_own.then(|| first_light.change(data)))
+    });
+    for (words, is_named) in [(&[own][..], true), (&[own, other], false)] {
+        let card = card_with(&mut planter, words, Profile::Careful, 24, false);
+        let names: Vec<_> = card.rows.iter().flat_map(|row| &row.names).collect();
+        assert_eq!(!names.is_empty(), is_named, "names of {words:?}: {names:?}");
+    }
 }
