@@ -7,6 +7,7 @@ use conform::{Judgement, Ours, Profile, ours, suite};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, Says, card};
+use testkit::as_many;
 
 /// Cases of a family: enough that not all of them have the same answer.
 const CASES: usize = 6;
@@ -41,14 +42,12 @@ fn blind(families: &[Family], cases: usize, constant: Option<&Value>) -> Vec<Str
     families.iter().filter(passes).map(|family| family.name.clone()).collect()
 }
 
-/// Law: no family is passed by one answer to everything, and no answer stops the judge. Oracle: constants of every
-/// kind of JSON, nothing, an empty object, NaN, and the right answer to the family's first case.
+/// Law: no family is passed by one answer to everything, and no answer stops the judge. Oracle: nothing, a truth
+/// value, a number, an empty list, NaN, and the right answer to the family's first case.
 #[test]
 fn no_constant_passes() {
     let families: Vec<Family> = suite::all().into_iter().filter(is_cheap).collect();
-    let constants =
-        [json!(null), json!(false), json!(42), json!([]), json!({}), json!("nan"), json!("pi")];
-    for constant in constants {
+    for constant in [json!(null), json!(false), json!(42), json!([]), json!("nan")] {
         let names = blind(&families, CASES, Some(&constant));
         // some shapes are hit by no ray of a few, or by each
         let is_guess = |name: &String| {
@@ -60,7 +59,7 @@ fn no_constant_passes() {
         let names: Vec<String> = names.into_iter().filter(|name| !is_guess(name)).collect();
         assert!(names.is_empty(), "{constant} passes {names:?}");
     }
-    let names = blind(&families, 48, None);
+    let names = blind(&families, as_many(16, 48), None);
     // laws that a right answer keeps, whatever the question: another family of the same question tells it
     let kept = "accelerated energy reciprocity shares inverse sides smooth strata sample";
     let is_kept = |name: &String| kept.split(' ').any(|it| name.rsplit('.').next() == Some(it));

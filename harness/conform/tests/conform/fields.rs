@@ -211,8 +211,8 @@ fn each_part_of_an_answer_is_judged() {
             answered(family, 7, if is_exact { 1 } else { as_many(1, 3) }).iter().enumerate()
         {
             let it = (family, case, right);
-            // a third of the places, of each family others
-            let (first, step) = as_many((number % 3, 3), (0, 1));
+            // a fifth of the places, of each family others
+            let (first, step) = as_many((number % 5, 5), (0, 1));
             for path in judged_places(family, right).iter().skip(first).step_by(step) {
                 let before = right.pointer(path).expect("it is there");
                 let put = |after: Value| {
@@ -257,7 +257,7 @@ fn each_part_of_an_answer_is_judged() {
             }
         }
     }
-    assert!(tried > 3_000, "{tried} alterations");
+    assert!(tried > 2_000, "{tried} alterations");
     assert!(problems.is_empty(), "alterations that pass: {problems:#?}");
 }
 
