@@ -166,22 +166,8 @@ impl Renderer for Program {
     ) -> Rgb {
         match &self.by {
             By::Mistaken(program) => program.radiance(ray, draws, recorder, budget),
-            // of a log nothing but its pixels is known
+            // nobody renders a log: its pixels are known
             By::Ours | By::Logged { .. } => self.built.world.radiance(ray, draws, recorder, budget),
-        }
-    }
-
-    fn sample<R: Recorder, B: Budget>(
-        &self,
-        pixel: [u32; 2],
-        index: u32,
-        recorder: &mut R,
-        budget: &mut B,
-    ) -> Rgb {
-        match &self.by {
-            By::Mistaken(program) => program.sample(pixel, index, recorder, budget),
-            By::Ours => self.built.world.sample(pixel, index, recorder, budget),
-            By::Logged { log, .. } => log.radiance(pixel).unwrap_or(Rgb::BLACK),
         }
     }
 }
