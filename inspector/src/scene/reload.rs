@@ -22,34 +22,16 @@ pub fn with_changes(before: &Scene, wanted: &Scene, now: Scene) -> Scene {
     if wanted.tracer != before.tracer {
         now.tracer = wanted.tracer;
     }
-    let lights = |scene: &Scene| switches(scene.lights.iter().map(|l| (&l.name, l.enabled)));
-    keep_switches(
-        lights(before),
-        lights(wanted),
-        now.lights.iter_mut().map(|l| (&l.name, &mut l.enabled)),
-    );
-    let objects = |scene: &Scene| switches(scene.objects.iter().map(|o| (&o.name, o.enabled)));
-    keep_switches(
-        objects(before),
-        objects(wanted),
-        now.objects.iter_mut().map(|o| (&o.name, &mut o.enabled)),
-    );
-    now
-}
-
-fn switches<'a>(all: impl Iterator<Item = (&'a String, bool)>) -> Vec<(String, bool)> {
-    all.map(|(name, on)| (name.clone(), on)).collect()
-}
-
-/// Sets the switches that were changed, where an element of the same name still has the same index.
-fn keep_switches<'a>(
-    before: Vec<(String, bool)>,
-    wanted: Vec<(String, bool)>,
-    now: impl Iterator<Item = (&'a String, &'a mut bool)>,
-) {
-    for ((old, wanted), (name, on)) in before.into_iter().zip(wanted).zip(now) {
-        if old != wanted && wanted.0 == *name {
-            *on = wanted.1;
+    // switches, where a thing of the same name still has the same index
+    for ((old, wanted), now) in before.lights.iter().zip(&wanted.lights).zip(&mut now.lights) {
+        if old.enabled != wanted.enabled && wanted.name == now.name {
+            now.enabled = wanted.enabled;
         }
     }
+    for ((old, wanted), now) in before.objects.iter().zip(&wanted.objects).zip(&mut now.objects) {
+        if old.enabled != wanted.enabled && wanted.name == now.name {
+            now.enabled = wanted.enabled;
+        }
+    }
+    now
 }
