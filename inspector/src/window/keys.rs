@@ -1,8 +1,6 @@
 //! The global shortcuts of the window, and the list of all keys.
 
-use eframe::egui::{
-    Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, PointerButton, RichText, Window,
-};
+use eframe::egui::{Align2, Context, Grid, Key, Modifiers, PointerButton, RichText, Window};
 
 use crate::action::{Action, Shows, With};
 
@@ -39,44 +37,35 @@ const KEYS: [(&str, &str); 24] = [
 
 /// The action of the pressed shortcut. `?` and letters are shortcuts only if no text is being typed (`is_text`).
 pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
-    let letters = [
-        (Key::T, Action::Compare(With::Flip(Shows::Theirs))),
-        (Key::W, Action::Compare(With::Flip(Shows::Swipe))),
-        (Key::D, Action::Compare(With::Flip(Shows::Difference))),
-        (Key::Z, Action::Compare(With::Flip(Shows::Map))),
-        (Key::N, Action::NextRegion),
-        (Key::O, Action::Compare(With::Next)),
-        (Key::S, Action::NextView),
-        (Key::B, Action::ChangeGround),
-        (Key::P, Action::Pin),
+    let flip = |shows| Action::Compare(With::Flip(shows));
+    let always = [
+        (Modifiers::COMMAND, Key::O, Action::NameScene),
+        (Modifiers::COMMAND, Key::S, Action::Save),
+        (Modifiers::NONE, Key::F1, Action::ToggleKeys),
     ];
-    let held = [
+    let unless_typing = [
+        (Modifiers::NONE, Key::Questionmark, Action::ToggleKeys),
         (Modifiers::ALT, Key::ArrowLeft, Action::Go(-1)),
         (Modifiers::ALT, Key::ArrowRight, Action::Go(1)),
         (Modifiers::COMMAND, Key::Z, Action::Undo),
         (Modifiers::COMMAND, Key::Y, Action::Redo),
+        (Modifiers::NONE, Key::T, flip(Shows::Theirs)),
+        (Modifiers::NONE, Key::W, flip(Shows::Swipe)),
+        (Modifiers::NONE, Key::D, flip(Shows::Difference)),
+        (Modifiers::NONE, Key::Z, flip(Shows::Map)),
+        (Modifiers::NONE, Key::N, Action::NextRegion),
+        (Modifiers::NONE, Key::O, Action::Compare(With::Next)),
+        (Modifiers::NONE, Key::S, Action::NextView),
+        (Modifiers::NONE, Key::B, Action::ChangeGround),
+        (Modifiers::NONE, Key::P, Action::Pin),
     ];
-    let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
+    let buttons = [(PointerButton::Extra1, -1), (PointerButton::Extra2, 1)];
     ctx.input_mut(|input| {
-        if input.consume_shortcut(&command(Key::O)) {
-            Some(Action::NameScene)
-        } else if input.consume_shortcut(&command(Key::S)) {
-            Some(Action::Save)
-        } else if input.key_pressed(Key::F1) || (!is_text && input.key_pressed(Key::Questionmark)) {
-            Some(Action::ToggleKeys)
-        } else if !is_text {
-            let keys = letters.into_iter().map(|(key, action)| (Modifiers::NONE, key, action));
-            let buttons = [(PointerButton::Extra1, -1), (PointerButton::Extra2, 1)];
-            let is_clicked =
-                |(button, _): &(PointerButton, _)| input.pointer.button_pressed(*button);
-            let gone = buttons.into_iter().find(is_clicked).map(|(_, by)| Action::Go(by));
-            let mut is_pressed = |held: Modifiers, key| input.consume_key(held, key);
-            let pressed =
-                held.into_iter().chain(keys).find(|(held, key, _)| is_pressed(*held, *key));
-            pressed.map(|(.., action)| action).or(gone)
-        } else {
-            None
-        }
+        let mut keys = always.into_iter().chain(unless_typing.into_iter().filter(|_| !is_text));
+        let pressed = keys.find(|(held, key, _)| input.consume_key(*held, *key));
+        let mut buttons = buttons.into_iter().filter(|_| !is_text);
+        let gone = buttons.find(|(button, _)| input.pointer.button_pressed(*button));
+        pressed.map(|(.., action)| action).or(gone.map(|(_, by)| Action::Go(by)))
     })
 }
 
