@@ -93,8 +93,7 @@ fn scene_and_pixel(
     let picked = picker.show(ui, &source.name(), width);
     ui.separator();
     let field = TextEdit::singleline(&mut fields.pixel).hint_text("x, y");
-    let explain = |ui: &mut Ui| (ui.button("Explain").clicked(), false);
-    let (selected, _) = entry(ui, "Pixel", field, 70.0, explain);
+    let selected = entry(ui, "Pixel", field, 70.0) | ui.button("Explain").clicked();
     if let Some(entry) = picked {
         return Some(Action::Open(Source::Gallery(entry)));
     }
@@ -105,25 +104,23 @@ fn scene_and_pixel(
 fn open_and_save(ui: &mut Ui, fields: &mut Fields, widths: [f32; 2]) -> Option<Action> {
     let field = TextEdit::singleline(&mut fields.open).id(file_field());
     let field = field.hint_text("scene.toml or a picture; or drop files");
-    let (named, is_choosing_scene) = entry(ui, "File", field, widths[0], |ui| {
-        let is_choosing = choose(ui, "Choose a scene file");
-        (ui.button("Open").clicked(), is_choosing)
-    });
+    let is_named = entry(ui, "File", field, widths[0]);
+    let is_choosing_scene = choose(ui, "Choose a scene file");
+    let is_opened = ui.button("Open").clicked() || is_named;
     ui.separator();
     let field = TextEdit::singleline(&mut fields.save).hint_text("picture.png or .exr");
-    let (saved, is_choosing) = entry(ui, "Picture", field, widths[1], |ui| {
-        let is_choosing = choose(ui, "Choose the file for the picture, and save it");
-        (ui.button("Save").clicked(), is_choosing)
-    });
+    let is_named = entry(ui, "Picture", field, widths[1]);
+    let is_choosing = choose(ui, "Choose the file for the picture, and save it");
+    let is_saved = ui.button("Save").clicked() || is_named;
     let (file, name) = (fields.open.trim(), fields.save.trim());
     if is_choosing_scene {
         Some(Action::Choose(Purpose::Scene))
     } else if is_choosing {
         Some(Action::Choose(Purpose::Picture))
-    } else if named && !file.is_empty() {
+    } else if is_opened && !file.is_empty() {
         Some(opening::named(file.into()))
     } else {
-        (saved && !name.is_empty()).then_some(Action::Save)
+        (is_saved && !name.is_empty()).then_some(Action::Save)
     }
 }
 
@@ -132,19 +129,11 @@ fn choose(ui: &mut Ui, hint: &str) -> bool {
     ui.button("…").on_hover_text(format!("{hint} (by the desktop's portal, or zenity)")).clicked()
 }
 
-/// Shows a field with its buttons. Returns whether the first of them, or Enter, was pressed, and whether the second was.
-fn entry(
-    ui: &mut Ui,
-    name: &str,
-    field: TextEdit<'_>,
-    width: f32,
-    buttons: impl FnOnce(&mut Ui) -> (bool, bool),
-) -> (bool, bool) {
+/// Shows a field. Returns whether Enter was pressed in it.
+fn entry(ui: &mut Ui, name: &str, field: TextEdit<'_>, width: f32) -> bool {
     let label = ui.label(name);
     let field = ui.add(field.desired_width(width)).labelled_by(label.id);
-    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    let (pressed, other) = buttons(ui);
-    (entered || pressed, other)
+    field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
 /// Shows the message, and whether it is an error, until it is dismissed: over the lower edge, so that nothing moves.

@@ -125,11 +125,6 @@ impl ScenePicker {
         }
         row.on_hover_text(gallery::about(entry)).clicked()
     }
-
-    /// The number of thumbnails that were rendered.
-    pub fn thumbnails(&self) -> usize {
-        self.thumbnails.count()
-    }
 }
 
 /// The name of a scene and its description, one below the other.

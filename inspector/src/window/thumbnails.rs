@@ -51,11 +51,6 @@ impl Thumbnails {
         }
         self.done.get(entry.name)?.as_ref()
     }
-
-    /// The number of thumbnails that were rendered.
-    pub fn count(&self) -> usize {
-        self.done.values().flatten().count()
-    }
 }
 
 /// A scene in few pixels, as far as they are rendered.
