@@ -14,14 +14,13 @@ use text::brief::{brief, count, short};
 use crate::explanation::asked::{Question, sample_of};
 use crate::explanation::beside::Beside;
 use crate::explanation::copying::{self, Making};
-use crate::explanation::pixel::{self, SumList};
 use crate::explanation::samples::Samples;
 use crate::explanation::section::SectionView;
 use crate::explanation::selection::{Selection, Tab};
 use crate::explanation::tree::{Tree, legend, swatch};
 use crate::explanation::values::ValuesView;
 use crate::explanation::why_not::WhyNotView;
-use crate::explanation::{Shown, Subject, checks, details};
+use crate::explanation::{Shown, Subject, checks, details, pixel};
 use crate::picture::display;
 use crate::splits::{Splits, fixed, part};
 
@@ -158,11 +157,7 @@ impl Panel {
             }
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text(ui, it)))),
             Tab::Section => self.section_of_ray(ui, selection, &shown.subject()),
-            Tab::Sum => {
-                let tone = shown.tone;
-                let (chosen, pointed) = (&mut selection.sample, &mut selection.pointed);
-                SumList { answer, tone, chosen, pointed }.show(ui, area);
-            }
+            Tab::Sum => pixel::sum_list(ui, area, (answer, shown.tone), selection),
             Tab::Samples if log.is_some() => {
                 let question =
                     Question { version: shown.subject().version(), pixel: answer.pixel, sample: 0 };

@@ -9,6 +9,7 @@ use text::digits::{exact_color, shortened};
 
 use crate::comparison::theirs::Theirs;
 use crate::explanation::copying::{self, Making};
+use crate::explanation::selection::Selection;
 use crate::explanation::{Shown, details, tree};
 use crate::picture::display;
 use crate::platform;
@@ -20,11 +21,11 @@ const LINE: f32 = 18.0;
 pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     let label = ui.label("sample");
     let mut sample = (*chosen).min(last);
-    if ui.add_enabled(sample > 0, eframe::egui::Button::new("<")).clicked() {
+    if ui.add_enabled(sample > 0, Button::new("<")).clicked() {
         sample -= 1;
     }
     ui.add(DragValue::new(&mut sample).range(0..=last)).labelled_by(label.id);
-    if ui.add_enabled(sample < last, eframe::egui::Button::new(">")).clicked() {
+    if ui.add_enabled(sample < last, Button::new(">")).clicked() {
         sample += 1;
     }
     ui.weak(format!("of 0 to {last}"));
@@ -75,9 +76,8 @@ pub fn copy_menu(
         if item(ui, "The pixel, all its digits", "Its radiance") {
             text = Some(exact_color(radiance));
         }
-        let of_ray = ray.filter(|_| is_ours);
-        if let Some(ray) =
-            of_ray.filter(|_| item(ui, "All numbers of the selected ray", "As a table"))
+        if let Some(ray) = ray.filter(|_| is_ours)
+            && item(ui, "All numbers of the selected ray", "As a table")
         {
             text = Some(details::text(ray));
         }
@@ -158,94 +158,79 @@ enum Line {
     Sample(u32),
 }
 
-/// The list of the sum: the contributions of the sources of light, and all samples.
-pub struct SumList<'a> {
-    /// The explanation of the pixel.
-    pub answer: &'a PixelExplanation,
-    /// The tone in which radiance is shown.
-    pub tone: &'a Tone,
-    /// The sample whose tree is shown; a click chooses another one.
-    pub chosen: &'a mut u32,
-    /// The sample that is pointed at.
-    pub pointed: &'a mut Option<u32>,
+/// Shows the lines in view of the list of the sum: the contributions of the sources of light, and all samples, of which a click
+/// chooses one.
+pub fn sum_list(
+    ui: &mut Ui,
+    area: ScrollArea,
+    (answer, tone): (&PixelExplanation, &Tone),
+    selection: &mut Selection,
+) {
+    let mut lines = Vec::new();
+    for (words, sources) in answer.sources.lists() {
+        lines.push(Line::Words(words));
+        lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
+    }
+    if answer.samples_per_pixel > 1 {
+        lines.extend([Line::Spread, Line::Words("samples with their shares, by value")]);
+        lines.extend(sorted(answer).into_iter().map(Line::Sample));
+    }
+    ui.spacing_mut().item_spacing.y = 0.0;
+    ui.spacing_mut().interact_size.y = LINE;
+    ui.spacing_mut().button_padding.y = 0.0;
+    area.show_rows(ui, LINE, lines.len(), |ui, visible| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        for line in &lines[visible] {
+            ui.horizontal(|ui| match line {
+                // what it counts stands behind the colon
+                Line::Words(words) => {
+                    let name = words.split_once(": ").map_or(*words, |(name, _)| name);
+                    ui.strong(name).on_hover_text(*words);
+                }
+                Line::Numbers(text) => {
+                    let small = RichText::new(text).monospace().size(11.5);
+                    ui.label(small).on_hover_text(text);
+                }
+                Line::Spread => drop(ui.horizontal(|ui| spread(ui, answer, &mut selection.sample))),
+                Line::Sample(index) => sample(ui, *index, (answer, tone), selection),
+            });
+        }
+    });
 }
 
-impl SumList<'_> {
-    /// Shows the lines in view.
-    pub fn show(mut self, ui: &mut Ui, area: ScrollArea) {
-        let lines = self.lines();
-        ui.spacing_mut().item_spacing.y = 0.0;
-        ui.spacing_mut().interact_size.y = LINE;
-        ui.spacing_mut().button_padding.y = 0.0;
-        area.show_rows(ui, LINE, lines.len(), |ui, visible| {
-            ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-            for line in &lines[visible] {
-                ui.horizontal(|ui| self.line(ui, line));
-            }
-        });
+/// Shows standard error, least and greatest; a click on the last two chooses that sample.
+fn spread(ui: &mut Ui, answer: &PixelExplanation, chosen: &mut u32) {
+    let statistics = &answer.statistics;
+    if let Some(error) = statistics.standard_error {
+        let hint = "Of the mean, as if the samples were independent; well-spread ones are nearer";
+        ui.weak(format!("standard error {}", short(error))).on_hover_text(hint);
     }
-
-    fn lines(&self) -> Vec<Line> {
-        let mut lines = Vec::new();
-        for (words, sources) in self.answer.sources.lists() {
-            lines.push(Line::Words(words));
-            lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
-        }
-        if self.answer.samples_per_pixel > 1 {
-            lines.extend([Line::Spread, Line::Words("samples with their shares, by value")]);
-            lines.extend(sorted(self.answer).into_iter().map(Line::Sample));
-        }
-        lines
-    }
-
-    fn line(&mut self, ui: &mut Ui, line: &Line) {
-        match line {
-            // what it counts stands behind the colon
-            Line::Words(words) => {
-                let name = words.split_once(": ").map_or(*words, |(name, _)| name);
-                ui.strong(name).on_hover_text(*words);
-            }
-            Line::Numbers(text) => {
-                let small = RichText::new(text).monospace().size(11.5);
-                ui.label(small).on_hover_text(text);
-            }
-            Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
-            Line::Sample(index) => self.sample(ui, *index),
+    for (name, index) in [("least", statistics.least), ("greatest", statistics.greatest)] {
+        let link = ui.link(format!("{name}: sample {index}"));
+        if link.on_hover_text(short(answer.radiances[index as usize])).clicked() {
+            *chosen = index;
         }
     }
+}
 
-    /// Shows standard error, least and greatest; a click on the last two chooses that sample.
-    fn spread(&mut self, ui: &mut Ui) {
-        let statistics = &self.answer.statistics;
-        if let Some(error) = statistics.standard_error {
-            let hint =
-                "Of the mean, as if the samples were independent; well-spread ones are nearer";
-            ui.weak(format!("standard error {}", short(error))).on_hover_text(hint);
-        }
-        for (name, index) in [("least", statistics.least), ("greatest", statistics.greatest)] {
-            let link = ui.link(format!("{name}: sample {index}"));
-            if link.on_hover_text(short(self.answer.radiances[index as usize])).clicked() {
-                *self.chosen = index;
-            }
-        }
+fn sample(
+    ui: &mut Ui,
+    index: u32,
+    (answer, tone): (&PixelExplanation, &Tone),
+    selection: &mut Selection,
+) {
+    let radiance = answer.radiances[index as usize];
+    let whole: f64 = answer.radiances.iter().map(|radiance| radiance.average()).sum();
+    let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
+    tree::swatch(ui, display::color(tone, radiance));
+    let share = percent(share);
+    let text = format!("sample {index:>3}  {share:>7}  {}", short(radiance));
+    let row = ui.selectable_label(selection.sample == index, RichText::new(text).monospace());
+    if row.clicked() {
+        selection.sample = index;
     }
-
-    fn sample(&mut self, ui: &mut Ui, index: u32) {
-        let radiances = &self.answer.radiances;
-        let radiance = radiances[index as usize];
-        let whole: f64 = radiances.iter().map(|radiance| radiance.average()).sum();
-        let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
-        tree::swatch(ui, display::color(self.tone, radiance));
-        let share = percent(share);
-        let text = format!("sample {index:>3}  {share:>7}  {}", short(radiance));
-        let text = RichText::new(text).monospace();
-        let row = ui.selectable_label(*self.chosen == index, text);
-        if row.clicked() {
-            *self.chosen = index;
-        }
-        if row.hovered() {
-            *self.pointed = Some(index);
-        }
+    if row.hovered() {
+        selection.pointed = Some(index);
     }
 }
 

@@ -1,6 +1,7 @@
 //! The backdrop of the space view: the scene as the orbiting camera sees it, coarse first, and which pieces of the rays
 //! it hides.
 
+use std::iter;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -126,12 +127,7 @@ impl Backdrop {
         if let Some(Ok(Some(drawn))) = self.working.wait(wait) {
             let colors = drawn.squares.iter().map(|(color, _)| *color).collect();
             let image = ColorImage::new(drawn.size(), colors);
-            match &mut self.texture {
-                Some(texture) => texture.set(image, TextureOptions::LINEAR),
-                None => {
-                    self.texture = Some(ctx.load_texture("space", image, TextureOptions::LINEAR));
-                }
-            }
+            self.texture = Some(ctx.load_texture("space", image, TextureOptions::LINEAR));
             (self.drawn, self.lit) = (Some(drawn), None);
         }
     }
@@ -150,27 +146,20 @@ impl Backdrop {
 
     /// Draws it, with one object lit.
     pub fn paint(&mut self, painter: &Painter, area: Rect, object: Option<u32>) {
+        let (Some(texture), Some(drawn)) = (&self.texture, &self.drawn) else { return };
+        self.lit = self.lit.take().filter(|(lit, _)| Some(*lit) == object);
+        if let Some(object) = object.filter(|_| self.lit.is_none()) {
+            let color = |is_edge| if is_edge { LIGHT } else { Color32::TRANSPARENT };
+            let image = ColorImage::new(drawn.size(), drawn.outline(object).map(color).collect());
+            let texture = painter.ctx().load_texture("lit", image, TextureOptions::LINEAR);
+            self.lit = Some((object, texture));
+        }
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        if let (Some(texture), Some(drawn)) = (&self.texture, &self.drawn) {
-            // the last squares may reach beyond the area
-            let [width, height] = drawn.size().map(|count| (count * SIDES[drawn.step]) as f32);
-            let place = Rect::from_min_size(area.min, [width, height].into());
+        // the last squares may reach beyond the area
+        let [width, height] = drawn.size().map(|count| (count * SIDES[drawn.step]) as f32);
+        let place = Rect::from_min_size(area.min, [width, height].into());
+        for texture in iter::once(texture).chain(self.lit.iter().map(|(_, texture)| texture)) {
             painter.image(texture.id(), place, whole, Color32::WHITE);
-            if object.is_none() {
-                self.lit = None;
-            }
-            if let Some(object) = object {
-                if self.lit.as_ref().is_none_or(|(lit, _)| *lit != object) {
-                    let color = |is_edge| if is_edge { LIGHT } else { Color32::TRANSPARENT };
-                    let light = drawn.outline(object).map(color);
-                    let image = ColorImage::new(drawn.size(), light.collect());
-                    let texture = painter.ctx().load_texture("lit", image, TextureOptions::LINEAR);
-                    self.lit = Some((object, texture));
-                }
-                if let Some((_, texture)) = &self.lit {
-                    painter.image(texture.id(), place, whole, Color32::WHITE);
-                }
-            }
         }
     }
 

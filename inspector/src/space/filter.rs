@@ -6,6 +6,7 @@ use text::brief::percent;
 
 use crate::explanation::tree::{KINDS, OF_BLOCKED, kind};
 use crate::picture::display::ink;
+use crate::space::paint::numbered;
 
 /// The share of its sample below which a ray is not drawn at first.
 const MIN_SHARE: f64 = 0.005;
@@ -37,32 +38,21 @@ impl Filter {
     /// The numbers of the rays of a tree that are drawn, ascending, and how many more have a smaller share. The path to the
     /// selected ray is drawn in any case, and so are blocked rays to lights: each shows why a light adds nothing.
     pub fn drawn(&self, root: &RecordedRay, selected: usize) -> (Vec<usize>, usize) {
+        let (rays, path) = (root.rays(), root.path_to(selected));
         let (mut drawn, mut small) = (Vec::new(), 0);
-        let path: Vec<usize> = root.path_to(selected).iter().map(|ray| ray.number).collect();
-        self.add(None, root, &path, &mut drawn, &mut small);
+        for ray in &rays {
+            let sender = ray.parent.and_then(|parent| numbered(&rays, parent));
+            let is_blocked =
+                kind(ray) == OF_BLOCKED && sender.is_some_and(|it| it.share >= self.min_share);
+            let is_large = ray.share >= self.min_share || is_blocked;
+            let is_asked = self.kinds[kind(ray)] && ray.depth <= self.max_depth;
+            if path.iter().any(|on_path| on_path.number == ray.number) || is_asked && is_large {
+                drawn.push(ray.number);
+            } else if is_asked {
+                small += 1;
+            }
+        }
         (drawn, small)
-    }
-
-    fn add(
-        &self,
-        parent: Option<&RecordedRay>,
-        ray: &RecordedRay,
-        path: &[usize],
-        drawn: &mut Vec<usize>,
-        small: &mut usize,
-    ) {
-        let is_blocked =
-            kind(ray) == OF_BLOCKED && parent.is_some_and(|it| it.share >= self.min_share);
-        let is_large = ray.share >= self.min_share || is_blocked;
-        let is_asked = self.kinds[kind(ray)] && ray.depth <= self.max_depth;
-        if path.contains(&ray.number) || is_asked && is_large {
-            drawn.push(ray.number);
-        } else if is_asked {
-            *small += 1;
-        }
-        for child in &ray.children {
-            self.add(Some(ray), child, path, drawn, small);
-        }
     }
 
     /// Shows the filter for a tree.
