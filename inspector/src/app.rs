@@ -22,7 +22,7 @@ use crate::picture::worker::Progress;
 use crate::scene::source::Loaded;
 use crate::scene::waiting::Broken;
 use crate::space::view::SpaceView;
-use crate::splits::{Splits, part};
+use crate::splits::part;
 use crate::window::chooser::FileChooser;
 use crate::window::frame::WindowFrame;
 use crate::window::keys;
@@ -61,7 +61,8 @@ pub struct Inspector {
     pub is_embedded: bool,
     saving: Saving,
     scene: ScenePanel,
-    splits: Splits,
+    /// What is stored for a later run.
+    pub settings: StoredSettings,
     is_showing_keys: bool,
     /// Whether a pixel of each scene that is opened is explained before one is selected.
     pub proposes: bool,
@@ -99,7 +100,7 @@ impl Inspector {
             is_embedded: false,
             saving: Saving::default(),
             scene: ScenePanel::default(),
-            splits: Splits::default(),
+            settings: StoredSettings::default(),
             is_showing_keys: false,
             proposes: false,
             hovered: None,
@@ -110,13 +111,8 @@ impl Inspector {
 
     /// Takes over the settings of an earlier run.
     pub fn restore(&mut self, ctx: &Context, stored: StoredSettings) {
-        self.splits = stored.splits;
-        self.frame.set_ground(ctx, stored.ground);
-    }
-
-    /// Settings for a later run.
-    pub fn stored_settings(&self) -> StoredSettings {
-        StoredSettings { splits: self.splits, ground: self.frame.ground() }
+        stored.ground.set(ctx);
+        self.settings = stored;
     }
 
     /// Explains an interesting pixel until one is selected.
@@ -285,7 +281,7 @@ impl Inspector {
             ui.centered_and_justified(|ui| ui.weak(text));
             return Vec::new();
         }
-        let parts = self.splits.show(ui, ui.max_rect());
+        let parts = self.settings.splits.show(ui, ui.max_rect());
         for area in parts.scene.into_iter().chain([parts.explanation, parts.picture]) {
             ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         }
@@ -301,7 +297,7 @@ impl Inspector {
             let (theirs, tone) = (self.others.shown(), &self.picture.tone);
             let (beside, view) = (self.others.beside(), self.space.mode);
             let shown = Shown { rendering, theirs, beside, tone, view };
-            self.panel.show(ui, &mut self.selection, &shown, wanted, &mut self.splits)
+            self.panel.show(ui, &mut self.selection, &shown, wanted, &mut self.settings.splits)
         });
         self.space.pointed = pointed;
         let [of_picture, of_space] = self.space.mode.divide(parts.picture);
@@ -377,6 +373,6 @@ impl eframe::App for Inspector {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        self.stored_settings().write(storage);
+        self.settings.write(storage);
     }
 }

@@ -54,7 +54,10 @@ impl Inspector {
             Action::Undo => self.session.undo(ctx, false),
             Action::Redo => self.session.undo(ctx, true),
             Action::NextView => self.space.mode = self.space.mode.next(),
-            Action::ChangeGround => self.frame.set_ground(ctx, self.frame.ground().other()),
+            Action::ChangeGround => {
+                self.settings.ground = self.settings.ground.other();
+                self.settings.ground.set(ctx);
+            }
             Action::ToggleKeys => self.is_showing_keys ^= true,
         }
     }

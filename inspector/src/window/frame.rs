@@ -1,21 +1,20 @@
-//! The frame of the window: its title, its ground, and the size of its text.
+//! The frame of the window: its title, and the size of its text.
 
 use eframe::egui::{Context, ViewportCommand};
 
 use crate::picture::worker::{Progress, Rendering};
-use crate::window::style::{self, Ground};
+use crate::window::style;
 
-/// Title, ground and text size of the window.
+/// Title and text size of the window.
 pub struct WindowFrame {
     title: String,
-    ground: Ground,
     /// The factor by which text has grown with the window.
     grown: f32,
 }
 
 impl Default for WindowFrame {
     fn default() -> Self {
-        Self { title: String::new(), ground: Ground::default(), grown: 1.0 }
+        Self { title: String::new(), grown: 1.0 }
     }
 }
 
@@ -30,16 +29,5 @@ impl WindowFrame {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
-    }
-
-    /// Dark or light.
-    pub fn ground(&self) -> Ground {
-        self.ground
-    }
-
-    /// Makes it dark or light.
-    pub fn set_ground(&mut self, ctx: &Context, ground: Ground) {
-        self.ground = ground;
-        ground.set(ctx);
     }
 }

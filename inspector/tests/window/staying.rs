@@ -184,7 +184,7 @@ fn the_ground_can_be_light() {
     press(&mut window, Key::B);
     let light = ground(&mut window);
     assert!(dark < 60 && light > 200, "{dark}, {light}");
-    assert_eq!(window.state().stored_settings().ground, Ground::Light);
+    assert_eq!(window.state().settings.ground, Ground::Light);
     press(&mut window, Key::B);
     assert_eq!(ground(&mut window), dark);
 }
