@@ -206,7 +206,7 @@ impl Judgement {
         if let State::Running(_, working) = &mut self.state
             && let Some(outcome) = working.poll()
         {
-            self.state = State::Done(outcome.unwrap_or_else(|lost| Err(lost.to_string())));
+            self.state = State::Done(outcome.flatten());
         }
         if let State::Done(Ok(verdict)) = &self.state
             && is_map_shown
@@ -262,7 +262,7 @@ impl Judgement {
 
     /// Draws the map of z; `false` if it is not made yet.
     pub fn paint_map(&self, painter: &Painter, placement: &Placement) -> bool {
-        self.map.paint(painter, placement, |_| true)
+        self.map.paint(painter, placement)
     }
 
     /// Frames the regions, each with its number. A click on a number selects the worst pixel.

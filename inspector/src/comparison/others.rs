@@ -115,7 +115,7 @@ impl Others {
     pub fn accept_opened(&mut self, ctx: &Context, session: &mut Session) -> Option<Message> {
         let read = self.opening.front_mut()?.1.poll()?;
         self.opening.pop_front();
-        let picture = match read.unwrap_or_else(|lost| Err(lost.to_string())) {
+        let picture = match read.flatten() {
             Ok(picture) if session.waiting.is_none() => picture,
             Ok(_) => {
                 return Some(("there is no picture of ours to compare with yet".to_owned(), true));
@@ -330,7 +330,7 @@ impl Others {
                 self.start(ctx, rendering);
             }
         }
-        let made = self.working.poll()?.unwrap_or_else(|lost| Err(lost.to_string()));
+        let made = self.working.poll()?.flatten();
         let (_, beside) = self.asked.take()?;
         let problem = match made {
             Ok(Some((mut program, film))) => {

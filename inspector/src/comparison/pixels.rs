@@ -88,6 +88,6 @@ impl Pixels {
             painter.rect_filled(missing, 0.0, Color32::BLACK);
             hatch(&painter.with_clip_rect(missing));
         }
-        layer.paint(painter, placement, |_| true)
+        layer.paint(painter, placement)
     }
 }

@@ -101,7 +101,7 @@ impl Recipe {
                 let scene = change.applied(&ours.scene)?;
                 ours.changed(scene, seed)?
             }
-            Self::Scene(other) => other.clone().load_changed(seed, fit)?.built,
+            Self::Scene(other) => other.clone().load_changed(seed, &fit)?.built,
             Self::State(_, kept) => {
                 let scene = fit((*kept.scene).clone())?;
                 kept.clone().changed(scene, kept.world.seed)?

@@ -48,7 +48,7 @@ pub struct Theirs {
     pub program: Option<Arc<Program>>,
     pixels: Pixels,
     layer: Developed<()>,
-    differences: Developed<u64>,
+    differences: Developed<()>,
     compared: Option<Compared>,
     comparing: Background<Compared>,
     /// The region that was selected last.
@@ -265,6 +265,7 @@ impl Theirs {
         let generation = rendering.generation;
         if let Some(Ok(compared)) = self.comparing.poll() {
             (self.compared, self.region) = (Some(compared), None);
+            self.differences = Developed::default();
         }
         self.judgement.refresh(ctx, generation, self.shows == Shows::Map);
         if self.shows == Shows::Map && self.judgement.verdict().is_none() {
@@ -287,8 +288,7 @@ impl Theirs {
         if let Some(compared) = self.compared_with(rendering).map(Arc::clone)
             && self.shows == Shows::Difference
         {
-            let wanted = Version::whole(generation, Tone::PLAIN);
-            self.differences.refresh(ctx, wanted, move || {
+            self.differences.refresh(ctx, Version::whole((), Tone::PLAIN), move || {
                 let film = compared.1.film(compared.1.within(UNCLIPPED));
                 ((), developed::of_film(&film, &Tone::PLAIN))
             });
@@ -305,13 +305,11 @@ impl Theirs {
             Shows::Swipe => {
                 let area = painter.clip_rect();
                 let right = area.with_min_x(divider_x(area, self.divider));
-                {
-                    let painter = painter.with_clip_rect(right);
-                    self.pixels.paint(&painter, &self.layer, placement)
-                }
+                self.pixels.paint(&painter.with_clip_rect(right), &self.layer, placement)
             }
             Shows::Difference => {
-                self.differences.paint(painter, placement, |of| *of == rendering.generation)
+                self.compared_with(rendering).is_some()
+                    && self.differences.paint(painter, placement)
             }
             Shows::Map => self.judgement.paint_map(painter, placement),
         };

@@ -11,7 +11,7 @@ use groundtruth::trace::RayBudget;
 use rays::Logged;
 
 use crate::explanation::{Subject, Version};
-use crate::picture::worker::{Background, Lost};
+use crate::picture::worker::Background;
 
 /// The most rays of a pixel whose samples are explained together; with more, one at a time.
 const MAX_RAYS_PER_PIXEL: u64 = 30_000;
@@ -95,13 +95,13 @@ impl Asked {
         self.accept(finished, question);
     }
 
-    fn accept(&mut self, finished: Option<Result<(Question, Explained), Lost>>, asked: Question) {
+    fn accept(&mut self, finished: Option<Result<(Question, Explained), String>>, asked: Question) {
         match finished {
             Some(Ok((question, answer))) if question.version == asked.version => {
                 self.answered = Some((question, answer));
             }
             // not asked again: the same question would fail again
-            Some(Err(lost)) => self.answered = Some((asked, Err(lost.to_string()))),
+            Some(Err(lost)) => self.answered = Some((asked, Err(lost))),
             Some(Ok(_)) | None => {}
         }
     }

@@ -26,7 +26,7 @@ pub struct Making {
 impl Making {
     /// Puts the text on the clipboard once it is made.
     pub fn refresh(&mut self, ctx: &Context) {
-        match self.working.poll().map(|made| made.unwrap_or_else(|lost| Err(lost.to_string()))) {
+        match self.working.poll().map(Result::flatten) {
             Some(Ok(text)) => copy(ctx, text),
             Some(Err(problem)) => self.problem = Some(problem),
             None => {}

@@ -190,6 +190,6 @@ impl ChosenLayer {
 
     /// Draws what is shown.
     pub fn paint(&self, painter: &Painter, placement: &Placement) {
-        self.developed.paint(painter, placement, |_| true);
+        self.developed.paint(painter, placement);
     }
 }

@@ -99,18 +99,10 @@ impl<K: Clone + PartialEq + Send + 'static, T: Send + 'static> Developed<K, T> {
         self.developing.is_busy()
     }
 
-    /// Draws the version that is shown, if it is of a wanted picture; `false` if none is.
-    pub fn paint(
-        &self,
-        painter: &Painter,
-        placement: &Placement,
-        is_wanted: impl FnOnce(&K) -> bool,
-    ) -> bool {
-        let is_ready = self.version().is_some_and(|version| is_wanted(&version.of));
-        if is_ready {
-            self.tiles.paint(painter, placement, Color32::WHITE);
-        }
-        is_ready
+    /// Draws the version that is shown; `false` if none is.
+    pub fn paint(&self, painter: &Painter, placement: &Placement) -> bool {
+        self.tiles.paint(painter, placement, Color32::WHITE);
+        self.shown.is_some()
     }
 }
 

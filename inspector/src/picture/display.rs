@@ -205,7 +205,7 @@ impl Picture {
         if is_layer {
             self.layer.paint(painter, placement);
         } else {
-            self.developed.paint(painter, placement, |_| true);
+            self.developed.paint(painter, placement);
         }
         let tone = |radiance| self.tone.to_bytes(radiance);
         values::write(painter, placement, rendering, &self.layer, tone);

@@ -150,10 +150,9 @@ impl Saving {
 
     /// The message about a picture that was written, returned once, and whether it is an error.
     pub fn poll(&mut self) -> Option<(String, bool)> {
-        Some(match self.working.poll()? {
-            Ok(Ok(path)) => (format!("saved {}", path.display()), false),
-            Ok(Err(error)) => (error, true),
-            Err(lost) => (lost.to_string(), true),
+        Some(match self.working.poll()?.flatten() {
+            Ok(path) => (format!("saved {}", path.display()), false),
+            Err(error) => (error, true),
         })
     }
 }

@@ -138,17 +138,17 @@ impl Session {
         let Built { source, read, .. } = self.rendering.built.clone();
         let (wanted, seed) = (self.wanted.clone(), self.seed);
         let asked = self.waiting.as_ref().map(|waiting| Arc::clone(&waiting.change));
-        let change = move |now| match asked {
+        let change = move |now: Scene| match &asked {
             Some(change) => change(now),
             None => Ok(reload::with_changes(&read, &wanted, now)),
         };
         self.what = (format!("reading {}", source.name()), true);
-        self.loading.start(ctx, move || source.load_changed(seed, change));
+        self.loading.start(ctx, move || source.load_changed(seed, &change));
     }
 
     /// Renders the scene that was loaded meanwhile, if there is one; after an error, the changes are undone.
     pub fn poll(&mut self, ctx: &Context) -> Option<Result<Opened, String>> {
-        let loaded = self.loading.poll()?.unwrap_or_else(|lost| Err(lost.to_string()));
+        let loaded = self.loading.poll()?.flatten();
         let is_read = self.what.1 || loaded.as_ref().is_ok_and(|loaded| loaded.watch.is_some());
         self.is_old = if is_read { loaded.is_err() } else { self.is_old };
         let opened = loaded.map(|loaded| self.replace(ctx, loaded));

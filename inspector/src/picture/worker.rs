@@ -1,7 +1,6 @@
 //! All slow work, beside the window: reading and building scenes, rendering, explaining. The window
 //! polls it in each frame and waits only for a moment.
 
-use std::fmt;
 use std::ops::Deref;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, OnceLock};
@@ -25,15 +24,8 @@ pub struct Background<T> {
     result: Option<Receiver<T>>,
 }
 
-/// The work ended without a result.
-#[derive(Clone, Copy, Debug)]
-pub struct Lost;
-
-impl fmt::Display for Lost {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the work stopped unexpectedly; the terminal says why")
-    }
-}
+/// What is said of work that ended without a result.
+const LOST: &str = "the work stopped unexpectedly; the terminal says why";
 
 impl<T> Default for Background<T> {
     fn default() -> Self {
@@ -54,16 +46,14 @@ impl<T: Send + 'static> Background<T> {
         ctx: &egui::Context,
         mut work: impl FnMut(&Slice) -> Option<T> + Send + 'static,
     ) {
-        let answer = self.expect(ctx);
-        let mut answer = Some(answer);
-        // if no thread can be started, `answer` is dropped, and `poll` returns `Lost`
+        // if no thread can be started, it is dropped, and `poll` returns an error
+        let mut answer = Some(self.expect(ctx));
         Task::start(ctx, move |slice| {
-            let result = work(slice);
-            let is_whole = result.is_some();
-            if let Some((answer, result)) = answer.take_if(|_| is_whole).zip(result) {
+            let Some(result) = work(slice) else { return false };
+            if let Some(answer) = answer.take() {
                 answer(result);
             }
-            is_whole
+            true
         });
     }
 
@@ -84,17 +74,17 @@ impl<T: Send + 'static> Background<T> {
         self.result.is_some()
     }
 
-    /// The result, returned once, if it is ready.
-    pub fn poll(&mut self) -> Option<Result<T, Lost>> {
+    /// The result, returned once, if it is ready; an error if the work ended without one.
+    pub fn poll(&mut self) -> Option<Result<T, String>> {
         self.wait(Duration::ZERO)
     }
 
-    /// The result, returned once, if it is ready within this time.
-    pub fn wait(&mut self, timeout: Duration) -> Option<Result<T, Lost>> {
+    /// As [`Self::poll`], if it is ready within this time.
+    pub fn wait(&mut self, timeout: Duration) -> Option<Result<T, String>> {
         let result = match platform::wait(self.result.as_ref()?, timeout) {
             Ok(result) => Ok(result),
             Err(RecvTimeoutError::Timeout) => return None,
-            Err(RecvTimeoutError::Disconnected) => Err(Lost),
+            Err(RecvTimeoutError::Disconnected) => Err(LOST.to_owned()),
         };
         self.result = None;
         Some(result)

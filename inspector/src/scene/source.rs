@@ -88,22 +88,14 @@ impl Source {
     /// # Errors
     /// The scene error, with file and line.
     pub fn load(self) -> Result<Loaded, String> {
-        self.load_changed(DEFAULT_SEED, Ok)
+        self.load_changed(DEFAULT_SEED, &Ok)
     }
 
     /// Reads it, and builds it with these changes and this seed.
     ///
     /// # Errors
     /// The scene error, with file and line.
-    pub fn load_changed(
-        self,
-        seed: u64,
-        change: impl FnOnce(Scene) -> Result<Scene, String>,
-    ) -> Result<Loaded, String> {
-        self.load_with(seed, Box::new(change))
-    }
-
-    fn load_with(self, seed: u64, change: Changing<'_>) -> Result<Loaded, String> {
+    pub fn load_changed(self, seed: u64, change: &Changing<'_>) -> Result<Loaded, String> {
         let (mut watch, mut text) = (Watch::default(), None);
         let read = match &self {
             Self::Gallery(entry) => (entry.build)(),
@@ -127,7 +119,7 @@ impl Source {
                         scene.image.resize(width, height);
                         change(scene)
                     };
-                    let loaded = source.load_with(seed, Box::new(sized))?;
+                    let loaded = source.load_changed(seed, &sized)?;
                     return Ok(Loaded { rays: Some(path.clone()), ..loaded });
                 }
                 let inline = log.head.scene.as_ref().map(rays::inline_scene);
@@ -174,7 +166,7 @@ impl Source {
 }
 
 /// What changes a scene before it is built.
-type Changing<'a> = Box<dyn FnOnce(Scene) -> Result<Scene, String> + 'a>;
+pub type Changing<'a> = dyn Fn(Scene) -> Result<Scene, String> + 'a;
 
 /// A scene that is built, and where it is from. Its copies share it.
 #[derive(Clone, Debug)]

@@ -133,7 +133,7 @@ impl Arguments {
     pub fn load(&self, theirs: Option<&Theirs>) -> Result<Loaded, String> {
         let source = self.source()?;
         let theirs = theirs.map(|theirs| (&*theirs.name, theirs.size()));
-        let loaded = source.load_changed(self.seed, |scene| self.change(scene, theirs))?;
+        let loaded = source.load_changed(self.seed, &|scene| self.change(scene, theirs))?;
         let [width, height] = loaded.built.world.picture_size();
         if let Some([x, y]) = self.pixel.filter(|&[x, y]| x >= width || y >= height) {
             return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height}"));
