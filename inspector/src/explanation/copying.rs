@@ -98,31 +98,26 @@ pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> Stri
 /// What a link to the page says after `#` to show a sample of a pixel of ours; see `Arguments::of_link`. None for a
 /// scene that is not the gallery's, or was changed otherwise than a link can say.
 pub fn link(rendering: &Rendering, [x, y]: [u32; 2], sample: u32, view: Mode) -> Option<String> {
-    let (name, read, now) = (rendering.source.entry()?.name, &rendering.read, &*rendering.scene);
+    let (name, read, now) = (rendering.source.entry()?.name, &*rendering.read, &*rendering.scene);
     let subject = Subject { rendering, program: None };
     if is_changed(&subject) {
         return None;
     }
-    let mut link = format!("{name}&pixel={x},{y}");
-    let mut add = |is_said: bool, name: &str, value: String| {
-        if is_said {
-            link += &format!("&{name}={value}");
-        }
-    };
-    add(sample > 0, "sample", sample.to_string());
     let view = view.to_possible_value().filter(|_| view != Mode::default());
-    view.into_iter().for_each(|view| add(true, "view", view.get_name().to_owned()));
-    let ([width, height], samples) = ([now.image.width, now.image.height], now.image.samples);
-    let is_resized = [width, height] != [read.image.width, read.image.height];
-    add(is_resized, "size", format!("{width}x{height}"));
-    add(samples != read.image.samples, "samples", samples.to_string());
-    let mut tracer = now.tracer;
-    add(tracer != read.tracer, "tracer", tracer.name().to_owned());
-    let depth = tracer.max_depth().filter(|_| now.tracer != read.tracer);
-    depth.into_iter().for_each(|depth| add(true, "max-depth", depth.to_string()));
-    let seed = rendering.world.seed;
-    add(seed != DEFAULT_SEED, "seed", seed.to_string());
-    Some(link)
+    let [size, old_size] = [now, read].map(|scene| [scene.image.width, scene.image.height]);
+    let (samples, mut tracer, seed) = (now.image.samples, now.tracer, rendering.world.seed);
+    let is_other_tracer = tracer != read.tracer;
+    let said = [
+        ("sample", (sample > 0).then(|| sample.to_string())),
+        ("view", view.map(|view| view.get_name().to_owned())),
+        ("size", (size != old_size).then(|| format!("{}x{}", size[0], size[1]))),
+        ("samples", (samples != read.image.samples).then(|| samples.to_string())),
+        ("tracer", is_other_tracer.then(|| tracer.name().to_owned())),
+        ("max-depth", tracer.max_depth().filter(|_| is_other_tracer).map(|it| it.to_string())),
+        ("seed", (seed != DEFAULT_SEED).then(|| seed.to_string())),
+    ];
+    let said = said.into_iter().filter_map(|(option, value)| Some(format!("&{option}={}", value?)));
+    Some(format!("{name}&pixel={x},{y}{}", said.collect::<String>()))
 }
 
 /// The line that asks `probe` for a pixel.

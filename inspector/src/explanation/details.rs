@@ -72,7 +72,6 @@ pub fn rows(this: &RecordedRay, other: &RecordedRay) -> Vec<(&'static str, [Stri
 
 /// The names and values of a ray's fields, without its terms.
 fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
-    let color = exact_color;
     let kind = match &ray.kind {
         RayKind::Camera => format!("camera, depth {}", ray.depth),
         RayKind::Reflected => format!("reflected, depth {}", ray.depth),
@@ -87,17 +86,20 @@ fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
         Outcome::OverBudget => "beyond the limit on the number of rays".to_owned(),
         Outcome::Blocked { .. } => format!("blocked by {}", quoted(&ray.blocked_by)),
     };
-    let mut fields = vec![("kind", kind), ("outcome", outcome)];
-    fields.push(("origin", exact(ray.ray.origin.into())));
-    fields.push(("direction", exact(ray.ray.direction.into())));
-    if let Some(hit) = &ray.hit {
-        fields.extend(hit_fields(hit));
-    }
-    fields.push(("weight", color(ray.weight)));
-    fields.push(("transmittance", color(ray.transmittance)));
-    fields.push(("radiance", color(ray.radiance)));
-    fields.push(("contributes", color(ray.contribution)));
-    fields.push(("share of the sample", percent(ray.share)));
+    let mut fields = vec![
+        ("kind", kind),
+        ("outcome", outcome),
+        ("origin", exact(ray.ray.origin.into())),
+        ("direction", exact(ray.ray.direction.into())),
+    ];
+    fields.extend(ray.hit.iter().flat_map(hit_fields));
+    fields.extend([
+        ("weight", exact_color(ray.weight)),
+        ("transmittance", exact_color(ray.transmittance)),
+        ("radiance", exact_color(ray.radiance)),
+        ("contributes", exact_color(ray.contribution)),
+        ("share of the sample", percent(ray.share)),
+    ]);
     if !ray.unlit.is_empty() {
         fields.push((UNLIT, lines(&ray.unlit).join("; ")));
     }
@@ -123,7 +125,7 @@ fn hit_fields(hit: &RecordedHit) -> Vec<(&'static str, String)> {
         ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
     ]);
     fields.extend(hit.textures.iter().map(|texture| ("texture", texture_text(texture))));
-    fields.extend(hit.optics.as_ref().map_or(Vec::new(), optics_fields));
+    fields.extend(hit.optics.iter().flat_map(optics_fields));
     if hit.is_switched_off {
         fields.push(("shines", "no: its area light is switched off".to_owned()));
     }
@@ -149,16 +151,14 @@ fn optics_fields(optics: &Optics) -> Vec<(&'static str, String)> {
         }
     }
     fields.push(("relative η", format!("{:?}", optics.eta)));
-    if let Some(angle) = optics.critical_angle {
-        fields.push(("critical angle", format!("{angle:?}°")));
-    }
-    let refraction = match optics.angle_of_refraction {
-        Some(angle) => format!("{angle:?}°"),
-        None => "none: total internal reflection".to_owned(),
-    };
-    fields.push(("angle of refraction", refraction));
-    fields.push(("R, reflected", exact_color(optics.reflected)));
-    fields.push(("T, transmitted", exact_color(optics.transmitted)));
+    let degrees = |angle: f64| format!("{angle:?}°");
+    fields.extend(optics.critical_angle.map(|angle| ("critical angle", degrees(angle))));
+    let none = "none: total internal reflection".to_owned();
+    fields.extend([
+        ("angle of refraction", optics.angle_of_refraction.map_or(none, degrees)),
+        ("R, reflected", exact_color(optics.reflected)),
+        ("T, transmitted", exact_color(optics.transmitted)),
+    ]);
     fields
 }
 
@@ -192,12 +192,8 @@ fn terms(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<
             match term.ray {
                 Some(number) => {
                     let link = ui.link(format!("ray {number}")).on_hover_text(of_ray);
-                    if link.clicked() {
-                        clicked = Some(number);
-                    }
-                    if link.hovered() {
-                        *hovered = Some(number);
-                    }
+                    clicked = clicked.or(link.clicked().then_some(number));
+                    *hovered = hovered.or(link.hovered().then_some(number));
                 }
                 None => drop(ui.weak("no ray")),
             }

@@ -69,8 +69,8 @@ impl<'a> Subject<'a> {
         if let Some(log) = self.log() {
             return log.trees_of(pixel);
         }
-        let program = self.program.map(|program| program.world().samples_per_pixel());
-        program.unwrap_or_else(|| self.rendering.world.samples_per_pixel())
+        let world = self.program.map_or(&*self.rendering.world, |program| program.world());
+        world.samples_per_pixel()
     }
 }
 
@@ -97,7 +97,7 @@ impl<'a> Shown<'a> {
     /// The radiance of a pixel of the picture that is explained, if it is rendered.
     pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
         match self.theirs.filter(|theirs| theirs.explained().is_some()) {
-            Some(theirs) => theirs.radiance(pixel),
+            Some(theirs) => theirs.pixels.radiance(pixel),
             None => self.rendering.radiance(pixel),
         }
     }

@@ -43,16 +43,10 @@ pub struct Plot {
     title: &'static str,
     /// The text under the mouse.
     hint: &'static str,
-    outline: Outline,
-    /// The points in sample order, in the outline's own square `[−1, 1]²`, y up.
+    is_disk: bool,
+    /// The points in sample order, in the square or the disk in it, `[−1, 1]²`, y up.
     points: Vec<[f64; 2]>,
     area: Rect,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Outline {
-    Square,
-    Disk,
 }
 
 impl Samples {
@@ -81,15 +75,17 @@ impl Samples {
             let purpose = Purpose::Light { path, light, pair: 0 };
             (0..count).map(|i| centered(draw(purpose, i))).collect()
         });
-        let (square, disk) = (Outline::Square, Outline::Disk);
         let plots = [
-            ("pixel", "where in the pixel (before the filter moves it)", square, pixel_points),
-            ("lens", "where on the lens", disk, lens_points),
-            ("light", "where on the first sampled light, at the first hit", square, light_points),
+            ("pixel", "where in the pixel (before the filter moves it)", false, pixel_points),
+            ("lens", "where on the lens", true, lens_points),
+            ("light", "where on the first sampled light, at the first hit", false, light_points),
         ];
-        let plot = |(title, hint, outline, points)| {
-            let area = Rect::NOTHING;
-            Plot { title, hint, outline, points, area }
+        let plot = |(title, hint, is_disk, points)| Plot {
+            title,
+            hint,
+            is_disk,
+            points,
+            area: Rect::NOTHING,
         };
         self.plots = plots.map(plot).into();
     }
@@ -139,16 +135,11 @@ impl Samples {
         }
         changed
     }
-}
 
-impl Samples {
     /// The rays of the points: the camera's, and the shadow ray from the first hit to the light of the last plot.
     fn rays(&self, root: &RecordedRay) -> [Option<usize>; 2] {
-        let is_to_light = |ray: &&RecordedRay| match ray.kind {
-            RayKind::Shadow { light } => Some(light) == self.light,
-            RayKind::Camera | RayKind::Reflected | RayKind::Transmitted => false,
-        };
-        let shadow = root.children.iter().find(is_to_light);
+        let to_light = self.light.map(|light| RayKind::Shadow { light });
+        let shadow = root.children.iter().find(|ray| Some(ray.kind) == to_light);
         [Some(root.number), shadow.map(|ray| ray.number)]
     }
 }
@@ -176,14 +167,11 @@ impl Plot {
             painter.rect_filled(area, 2.0, display::ground(ui.visuals()));
             let edge = Stroke::new(1.0, Color32::from_gray(110));
             let [low, high] = [[-1.0, 1.0], [1.0, -1.0]].map(|corner| self.to_screen(corner));
-            match self.outline {
-                Outline::Square => {
-                    let square = Rect::from_two_pos(low, high);
-                    painter.rect_stroke(square, 0.0, edge, StrokeKind::Outside);
-                }
-                Outline::Disk => {
-                    painter.circle_stroke(area.center(), 0.5 * (high.x - low.x), edge);
-                }
+            if self.is_disk {
+                painter.circle_stroke(area.center(), 0.5 * (high.x - low.x), edge);
+            } else {
+                let square = Rect::from_two_pos(low, high);
+                painter.rect_stroke(square, 0.0, edge, StrokeKind::Outside);
             }
             if self.points.is_empty() {
                 let font = FontId::proportional(13.0);

@@ -1,6 +1,6 @@
 //! The path to the selected ray, projected into the picture.
 
-use eframe::egui::{Color32, Pos2, Stroke, Ui};
+use eframe::egui::{Color32, Pos2, Stroke, Ui, vec2};
 use explain::RecordedRay;
 use groundtruth::render;
 use groundtruth::world::World;
@@ -38,10 +38,8 @@ pub fn points(
 /// Draws lines between the hits, without those out of view.
 pub fn paint(ui: &Ui, placement: &Placement, points: &[TrailPoint]) {
     let (painter, halo) = (ui.painter(), halo(ui.visuals()));
-    let on_screen = |[x, y]: [f64; 2]| -> Pos2 {
-        let whole = placement.whole();
-        whole.min + placement.scale * eframe::egui::vec2(x as f32, y as f32)
-    };
+    let on_screen =
+        |[x, y]: [f64; 2]| placement.corner + placement.scale * vec2(x as f32, y as f32);
     let visible: Vec<(Pos2, Color32)> = points
         .iter()
         .filter_map(|&(at, color)| at.map(|at| (on_screen(at), ink(ui.visuals(), color))))

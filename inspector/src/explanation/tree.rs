@@ -176,21 +176,15 @@ impl Tree {
                         // no children: a space in place of the triangle
                         ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
                         swatch(ui, display::color(tone, term.contribution));
-                        cut(
-                            ui,
-                            RichText::new(term.line()).color(ink(ui.visuals(), LOCAL)),
-                            &term.line(),
-                        );
+                        let (line, color) = (term.line(), ink(ui.visuals(), LOCAL));
+                        cut(ui, RichText::new(&line).color(color), &line);
                     }
                     Row::Folded { parent, indent, rays, share } => {
                         bar(ui, share);
                         ui.add_space(INDENT * (indent as f32 + 1.0));
-                        let text = format!(
-                            "{} from {parent}, {}",
-                            count(rays, "more ray"),
-                            percent(share)
-                        );
-                        let line = Button::selectable(false, RichText::new(text).weak());
+                        let (rays, share) = (count(rays, "more ray"), percent(share));
+                        let text = RichText::new(format!("{rays} from {parent}, {share}"));
+                        let line = Button::selectable(false, text.weak());
                         if ui.add(line).on_hover_text("Show them").clicked() {
                             self.outline.unfolded.insert(parent);
                         }

@@ -52,7 +52,7 @@ impl ValuesView {
             ui.weak("of each ray that has it, over the samples");
         });
         let values = all.get(&self.name)?;
-        let plotted = plot(ui, values, log.trees_of(question.pixel));
+        let mut clicked = plot(ui, values, log.trees_of(question.pixel));
         let mut sorted: Vec<&LoggedValue> = values.iter().collect();
         let order = |a: &&LoggedValue, b: &&LoggedValue| {
             b.value.total_cmp(&a.value).then(a.ray.cmp(&b.ray))
@@ -62,7 +62,6 @@ impl ValuesView {
             sorted.truncate(MAX_LISTED);
         }
         sorted.sort_by(order);
-        let mut clicked = plotted;
         ui.spacing_mut().interact_size.y = LINE;
         for value in sorted {
             let name = log.verdict.traced.name(value.ray);
@@ -88,9 +87,8 @@ fn plot(ui: &mut Ui, values: &[LoggedValue], samples: u32) -> Option<usize> {
     let painter = ui.painter_at(whole);
     painter.rect_filled(area, 2.0, ground(ui.visuals()));
     let last = f64::from(samples.max(2) - 1);
-    let span = if high > low { high - low } else { 1.0 };
     let on_screen = |it: &LoggedValue| -> Pos2 {
-        let part = if high > low { (it.value - low) / span } else { 0.5 };
+        let part = if high > low { (it.value - low) / (high - low) } else { 0.5 };
         let x = area.left() + 4.0 + (area.width() - 8.0) * (f64::from(it.sample) / last) as f32;
         pos2(x, area.bottom() - 4.0 - (area.height() - 8.0) * part as f32)
     };

@@ -12,7 +12,7 @@ use crate::scene::source::Built;
 /// The answer for the ray and the object that were selected last.
 #[derive(Default)]
 pub struct WhyNotView {
-    answered: Option<(Question, usize, u32, Vec<String>)>,
+    answered: Option<((Question, usize, u32), Vec<String>)>,
 }
 
 impl WhyNotView {
@@ -43,14 +43,11 @@ impl WhyNotView {
             list.response.labelled_by(label.id).on_hover_text(hint);
         });
         let Some(object) = asked.filter(|_| chosen.is_some()) else { return asked };
-        let is_answered = |(of, number, about, _): &(Question, usize, u32, _)| {
-            (*of, *number, *about) == (question, ray, object)
-        };
-        if !self.answered.as_ref().is_some_and(is_answered) {
-            let lines = answer(subject, root, ray, object);
-            self.answered = Some((question, ray, object, lines));
+        let of = (question, ray, object);
+        if self.answered.as_ref().is_none_or(|(answered, _)| *answered != of) {
+            self.answered = Some((of, answer(subject, root, ray, object)));
         }
-        let lines = self.answered.iter().flat_map(|(.., lines)| lines);
+        let lines = self.answered.iter().flat_map(|(_, lines)| lines);
         for (index, line) in lines.enumerate() {
             let text = RichText::new(line);
             ui.label(if index == 0 { text.strong() } else { text.monospace().size(11.5) });
