@@ -18,34 +18,13 @@ use rays::{Log, LogError};
 use rfd::{AsyncFileDialog, FileHandle};
 use scenefile::SceneError;
 
-use super::{FORMATS, LOGS, Purpose};
+use super::{FORMATS, LOGS, Purpose, Slice};
 
 /// What is said when no file is chosen.
 pub const NO_FILE: &str = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
 
 /// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
 const STACK: usize = 16 << 20;
-
-/// The time for a piece of work: on a thread of its own, without an end.
-pub struct Slice;
-
-impl Slice {
-    /// Whether it is over.
-    pub fn is_over(&self) -> bool {
-        false
-    }
-
-    /// Whether it never ends.
-    pub fn is_endless(&self) -> bool {
-        true
-    }
-
-    /// At least as much time as it took so far, from now on.
-    #[must_use]
-    pub fn doubled(&self) -> Self {
-        Self
-    }
-}
 
 /// Work beside the window.
 #[derive(Debug)]
@@ -56,7 +35,7 @@ impl Task {
     pub fn start(ctx: &Context, mut work: impl FnMut(&Slice) -> bool + Send + 'static) -> Self {
         let ctx = ctx.clone();
         let whole = move || {
-            while !work(&Slice) {}
+            while !work(&Slice::ENDLESS) {}
             ctx.request_repaint();
         };
         // without a thread, it has ended without a result

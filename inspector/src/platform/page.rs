@@ -19,9 +19,8 @@ use rfd::AsyncFileDialog;
 use scenefile::SceneError;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_time::Instant;
 
-use super::{FORMATS, LOGS, Purpose};
+use super::{FORMATS, LOGS, Purpose, Slice};
 
 /// What is said when no file is chosen.
 pub const NO_FILE: &str = "no file chosen; files can be dropped on the page, too";
@@ -40,34 +39,6 @@ thread_local! {
     static FILES: RefCell<BTreeMap<PathBuf, Vec<u8>>> = const { RefCell::new(BTreeMap::new()) };
     /// Those that were dropped and are read.
     static DROPPED: RefCell<VecDeque<PathBuf>> = const { RefCell::new(VecDeque::new()) };
-}
-
-/// The time for a piece of work.
-pub struct Slice {
-    start: Instant,
-    time: Duration,
-}
-
-impl Slice {
-    fn of(time: Duration) -> Self {
-        Self { start: Instant::now(), time }
-    }
-
-    /// Whether it is over.
-    pub fn is_over(&self) -> bool {
-        self.start.elapsed() >= self.time
-    }
-
-    /// Whether it never ends.
-    pub fn is_endless(&self) -> bool {
-        false
-    }
-
-    /// At least as much time as it took so far, from now on.
-    #[must_use]
-    pub fn doubled(&self) -> Self {
-        Self::of(self.time.max(self.start.elapsed()))
-    }
 }
 
 /// Work beside the window.
