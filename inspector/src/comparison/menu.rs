@@ -31,10 +31,8 @@ pub struct CompareMenu {
     problem: Option<String>,
     /// Frames until the open menu is in position.
     opening: u8,
-    /// The fields of the scene, by the rendering that they are of.
-    fields: Option<(u64, Vec<Change>)>,
-    /// What fits the typed words, and for which words it was looked up.
-    found: Option<(String, Vec<Row>)>,
+    /// What fits the typed words, and for which rendering and words it was looked up.
+    found: Option<((u64, String), Vec<Row>)>,
 }
 
 /// A line of the list.
@@ -151,27 +149,19 @@ impl CompareMenu {
     }
 
     fn look_up(&mut self, rendering: &Rendering) {
-        let generation = rendering.generation;
-        if self.fields.as_ref().is_none_or(|(of, _)| *of != generation) {
-            self.fields = Some((generation, fields::all(&rendering.scene)));
-            self.found = None;
-        }
-        if self.found.as_ref().is_some_and(|(typed, _)| *typed == self.typed) {
+        let of = (rendering.generation, self.typed.clone());
+        if self.found.as_ref().is_some_and(|(found, _)| *found == of) {
             return;
         }
         let typed = self.typed.split('=').next().unwrap_or_default();
-        let words: Vec<String> = typed.split_whitespace().map(str::to_lowercase).collect();
-        let has_words = |change: &&Change| {
-            let path = change.path.to_lowercase();
-            words.iter().all(|word| path.contains(word))
-        };
-        let of_scene = self.fields.iter().flat_map(|(_, fields)| fields);
-        let of_scene: Vec<Row> = of_scene.filter(has_words).cloned().map(Row::Field).collect();
+        let of_scene = fields::all(&rendering.scene).into_iter();
+        let of_scene = of_scene.filter(|field| fields::has_words(&field.path, typed));
+        let of_scene: Vec<Row> = of_scene.map(Row::Field).collect();
         let scenes = gallery::ranked(typed).into_iter().map(Row::Scene).collect();
         let parts = [("Fields of this scene", of_scene), ("Scenes", scenes)];
         let parts = parts.into_iter().filter(|(_, rows)| !rows.is_empty());
         let rows = parts.flat_map(|(title, rows)| std::iter::once(Row::Title(title)).chain(rows));
-        self.found = Some((self.typed.clone(), rows.collect()));
+        self.found = Some((of, rows.collect()));
     }
 
     /// What the typed text asks for. Words that only one field has stand for its path.

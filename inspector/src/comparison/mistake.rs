@@ -7,6 +7,7 @@ use text::brief::percent;
 use crate::comparison::bar;
 use crate::comparison::others::Others;
 use crate::picture::worker::Rendering;
+use crate::scene::fields::has_words;
 
 /// Shows the list of mistakes that have the typed words: those that the scene of the gallery shows, or all.
 pub fn show(ui: &mut Ui, typed: &mut String, others: &mut Others, rendering: &Rendering) {
@@ -63,11 +64,7 @@ fn offered(rendering: &Rendering, typed: &str) -> Vec<(&'static Mistake, Option<
         }
         None => mistakes::all().into_iter().map(|mistake| (mistake, None)).collect(),
     };
-    let words = typed.to_lowercase();
-    offered.retain(|(mistake, _)| {
-        let about = format!("{} {}", mistake.name, mistake.words).to_lowercase();
-        words.split_whitespace().all(|word| about.contains(word))
-    });
+    offered.retain(|(it, _)| has_words(&format!("{} {}", it.name, it.words), typed));
     offered.sort_by(|(_, a), (_, b)| b.unwrap_or(0.0).total_cmp(&a.unwrap_or(0.0)));
     offered
 }

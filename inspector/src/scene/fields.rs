@@ -72,6 +72,12 @@ pub fn all(scene: &Scene) -> Vec<Change> {
     fields
 }
 
+/// Whether a text has all of these words, in capitals or not.
+pub fn has_words(text: &str, words: &str) -> bool {
+    let text = text.to_lowercase();
+    words.to_lowercase().split_whitespace().all(|word| text.contains(word))
+}
+
 fn table(scene: &Scene) -> Result<Table, String> {
     let text = scenefile::to_toml(scene).map_err(|error| error.to_string())?;
     text.parse().map_err(|error: toml::de::Error| error.to_string())
@@ -84,14 +90,12 @@ fn collect(path: String, value: &Value, fields: &mut Vec<Change>) {
         }
         Value::Array(values) if values.iter().any(|value| value.is_table()) => {
             for (index, value) in values.iter().enumerate() {
-                let name = name(value).filter(|name| !name.is_empty());
+                let before = &values[..index];
                 // of equal names only the first would be found
-                let is_first = |name: &&str| {
-                    let bearer = values.iter().position(|value| self::name(value) == Some(name));
-                    bearer == Some(index)
-                };
-                let name = name.filter(is_first).map_or(index.to_string(), str::to_owned);
-                collect(format!("{path}.{name}"), value, fields);
+                let is_first = |it: &&str| before.iter().all(|other| name(other) != Some(it));
+                let key = name(value).filter(|it| !it.is_empty()).filter(is_first);
+                let key = key.map_or(index.to_string(), str::to_owned);
+                collect(format!("{path}.{key}"), value, fields);
             }
         }
         value => fields.push(Change { path, value: value.to_string() }),
@@ -140,20 +144,15 @@ fn inside<'a>(
     match value {
         Value::Table(table) => slot(table, path),
         Value::Array(values) => {
-            let names: Vec<String> = values.iter().filter_map(name).map(str::to_owned).collect();
-            let is_named = |value: &Value| name(value).is_some_and(|it| after(path, it).is_some());
-            let is_placed = |index: usize| after(path, &index.to_string()).is_some();
-            let index = values
-                .iter()
-                .position(is_named)
-                .or_else(|| (0..values.len()).find(|index| is_placed(*index)));
-            let index = index.ok_or_else(|| {
-                format!("{key} have no \"{path}\"; there are {}", names.join(", "))
-            })?;
-            let own = index.to_string();
-            let key = name(&values[index]).filter(|it| after(path, it).is_some());
-            let key = key.map_or(own, str::to_owned);
-            inside(&mut values[index], &key, after(path, &key).flatten())
+            let keyed = |(at, value)| Some((at, name(value)?.to_owned()));
+            let named = values.iter().enumerate().filter_map(keyed);
+            let placed = (0..values.len()).map(|at| (at, at.to_string()));
+            let found = named.chain(placed).find(|(_, key)| after(path, key).is_some());
+            let Some((at, own)) = found else {
+                let names: Vec<&str> = values.iter().filter_map(name).collect();
+                return Err(format!("{key} have no \"{path}\"; there are {}", names.join(", ")));
+            };
+            inside(&mut values[at], &own, after(path, &own).flatten())
         }
         _ => Err(format!("{key} has no fields")),
     }

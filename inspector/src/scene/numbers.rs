@@ -81,12 +81,8 @@ impl Numbers {
     }
 
     fn list(&self, ui: &mut Ui) -> Option<Change> {
-        let typed = self.typed.to_lowercase();
-        let has_words = |(field, _): &&(Change, Vec<f64>)| {
-            let path = field.path.to_lowercase();
-            typed.split_whitespace().all(|word| path.contains(word))
-        };
-        let mut found = self.fields.iter().flat_map(|(_, fields)| fields).filter(has_words);
+        let fields = self.fields.iter().flat_map(|(_, fields)| fields);
+        let mut found = fields.filter(|(field, _)| fields::has_words(&field.path, &self.typed));
         let mut changed = None;
         for (field, numbers) in found.by_ref().take(MAX_SHOWN) {
             ui.add(Label::new(&field.path).truncate());
