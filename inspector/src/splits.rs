@@ -51,17 +51,15 @@ impl Mode {
 
     /// The areas of the picture and of the space view.
     pub fn divide(self, area: Rect) -> [Option<Rect>; 2] {
+        let Pos2 { x, y } = area.center().round();
+        let halves = match area.width() > area.height() {
+            true => [area.with_max_x(x - 1.0), area.with_min_x(x + 1.0)],
+            false => [area.with_max_y(y - 1.0), area.with_min_y(y + 1.0)],
+        };
         match self {
             Self::Picture => [Some(area), None],
             Self::Space => [None, Some(area)],
-            Self::Both if area.width() > area.height() => {
-                let middle = area.center().x.round();
-                [Some(area.with_max_x(middle - 1.0)), Some(area.with_min_x(middle + 1.0))]
-            }
-            Self::Both => {
-                let middle = area.center().y.round();
-                [Some(area.with_max_y(middle - 1.0)), Some(area.with_min_y(middle + 1.0))]
-            }
+            Self::Both => halves.map(Some),
         }
     }
 }

@@ -69,10 +69,7 @@ impl Source {
 
     /// The scene of the gallery.
     pub fn entry(&self) -> Option<gallery::Entry> {
-        match self {
-            Self::Gallery(entry) => Some(*entry),
-            Self::File(_) | Self::Rays(_) => None,
-        }
+        if let Self::Gallery(entry) = self { Some(*entry) } else { None }
     }
 
     /// The folder to which the files named by a scene are relative.
@@ -144,10 +141,7 @@ impl Source {
 
     /// The log, if that is all there is.
     pub fn rays(&self) -> Option<&Path> {
-        match self {
-            Self::Rays(path) => Some(path),
-            Self::Gallery(_) | Self::File(_) => None,
-        }
+        if let Self::Rays(path) = self { Some(path) } else { None }
     }
 
     /// A scene of the gallery, or a file beside this one.

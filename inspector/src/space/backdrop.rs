@@ -163,11 +163,6 @@ impl Backdrop {
         }
     }
 
-    /// The index of the object that is lit.
-    pub fn lit(&self) -> Option<u32> {
-        self.lit.as_ref().map(|(object, _)| *object)
-    }
-
     /// The object at a point of the area, in points of the screen from its top left corner.
     pub fn object_at(&self, [x, y]: [f32; 2]) -> Option<u32> {
         let drawn = self.drawn.as_ref()?;

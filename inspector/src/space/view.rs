@@ -9,7 +9,7 @@ use eframe::egui::{
 use explain::RecordedRay;
 use groundtruth::printable::name;
 use groundtruth::world::World;
-use space::Segment;
+use space::{Orbit, Segment};
 use text::brief::count;
 
 use crate::explanation::Subject;
@@ -127,23 +127,6 @@ impl SpaceView {
         (subject, is_both): (&Subject<'_>, bool),
         selection: &mut Selection,
     ) {
-        let pointed = self.show_rays(ui, area, (subject, is_both), selection);
-        if let Some(number) = pointed.clicked {
-            selection.go_to(number);
-        }
-        if let Some(object) = pointed.why_not {
-            selection.ask_why_not(object);
-        }
-        selection.tree.hovered = selection.tree.hovered.or(pointed.hovered);
-    }
-
-    fn show_rays(
-        &mut self,
-        ui: &mut Ui,
-        area: Rect,
-        (subject, is_both): (&Subject<'_>, bool),
-        selection: &Selection,
-    ) -> Pointed {
         let world = &subject.built().world;
         let tree = selection.root();
         let trees = [tree, selection.root_beside().filter(|_| is_both)];
@@ -163,8 +146,7 @@ impl SpaceView {
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "space"));
         self.id = Some(response.id);
         self.camera.follow(ui, &response, &scene);
-
-        let Some(orbit) = self.camera.orbit else { return Pointed::default() };
+        let Some(orbit) = self.camera.orbit else { return };
         let request = Request {
             version: subject.version(),
             orbit,
@@ -174,8 +156,15 @@ impl SpaceView {
             segments: Arc::clone(&segments),
         };
         self.backdrop.refresh(ui.ctx(), world, request);
-        let pointed = self.paint(ui, view, &response, (world, subject.has_camera()), selection);
-        Pointed { clicked: stepped.or(pointed.clicked), ..pointed }
+        let of = (&orbit, &**world, subject.has_camera());
+        let pointed = self.paint(ui, view, &response, of, selection);
+        if let Some(number) = stepped.or(pointed.clicked) {
+            selection.go_to(number);
+        }
+        if let Some(object) = pointed.why_not {
+            selection.ask_why_not(object);
+        }
+        selection.tree.hovered = selection.tree.hovered.or(pointed.hovered);
     }
 
     /// Works the pieces out again if the tree or the filter has changed.
@@ -244,15 +233,15 @@ impl SpaceView {
         ui: &Ui,
         view: Rect,
         response: &Response,
-        (world, has_camera): (&World, bool),
+        (orbit, world, has_camera): (&Orbit, &World, bool),
         selection: &Selection,
     ) -> Pointed {
         let painter = ui.painter().with_clip_rect(view.intersect(ui.clip_rect()));
-        let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let sight = orbit.sight([view.width(), view.height()].map(f64::from));
         let visuals = ui.visuals();
         let canvas = Canvas { painter: &painter, corner: view.min, sight, visuals };
-        let by_number = selection.root().map_or(Vec::new(), |(_, root)| root.rays());
+        let root = selection.root().map(|(_, root)| root);
+        let by_number = root.map_or(Vec::new(), RecordedRay::rays);
         let (selected, lit) = (selection.tree.ray, selection.tree.lit);
         let lit_ray = lit.and_then(|number| numbered(&by_number, number));
         let at = response.hover_pos();
@@ -268,7 +257,7 @@ impl SpaceView {
         let mut pointed = Pointed::default();
         if let Some(pieces) = &self.pieces {
             let runs = self.backdrop.runs(&pieces.segments);
-            let path = selection.root().map_or(Vec::new(), |(_, root)| root.path_to(selected));
+            let path = root.map_or(Vec::new(), |root| root.path_to(selected));
             let next = path.last().map_or(&[][..], |ray| &ray.children);
             let labelled: Vec<_> = path.iter().copied().chain(next).collect();
             let path = path.iter().map(|ray| ray.number);
@@ -295,8 +284,7 @@ impl SpaceView {
                 normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
             canvas.labels(&labelled, &pieces.segments);
-            let trees =
-                selection.root().map(|(_, root)| root).zip(other.filter(|_| self.other.is_some()));
+            let trees = root.zip(other.filter(|_| self.other.is_some()));
             let parted = trees.and_then(|(root, other)| beside::parting(root, other));
             parted.into_iter().for_each(|rays| canvas.parting(rays));
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));

@@ -8,20 +8,14 @@ use crate::picture::display::Picture;
 use crate::picture::saving::Content;
 use crate::picture::worker::Rendering;
 
-/// The layer that is shown: that of the comparison, if one is, else that of the picture.
-fn layer_name(picture: &Picture, theirs: Option<&Theirs>, rendering: &Rendering) -> Option<String> {
-    let theirs = theirs.filter(|theirs| theirs.fits(rendering));
-    let beside = theirs.and_then(|theirs| named(theirs.shows));
-    let of_scene = || picture.layer.chosen.as_ref().map(Layer::to_string);
-    beside.map(str::to_owned).or_else(of_scene)
-}
-
-/// The file name that is proposed for what is shown.
+/// The file name that is proposed for what is shown: the layer of the comparison, if one is, or that of the picture.
 pub fn proposed_name(
     (picture, theirs): (&Picture, Option<&Theirs>),
     rendering: &Rendering,
 ) -> String {
-    let layer = layer_name(picture, theirs, rendering);
+    let theirs = theirs.filter(|theirs| theirs.fits(rendering));
+    let beside = theirs.and_then(|theirs| named(theirs.shows)).map(str::to_owned);
+    let layer = beside.or_else(|| picture.layer.chosen.as_ref().map(Layer::to_string));
     rendering.source.picture_name(layer.as_deref())
 }
 
