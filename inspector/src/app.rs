@@ -19,6 +19,7 @@ use crate::picture::display::{self, Picture};
 use crate::picture::saving::Saving;
 use crate::picture::session::{Opened, Session};
 use crate::picture::worker::Progress;
+use crate::platform;
 use crate::scene::source::Loaded;
 use crate::scene::waiting::Broken;
 use crate::space::view::SpaceView;
@@ -27,7 +28,6 @@ use crate::window::chooser::FileChooser;
 use crate::window::frame::WindowFrame;
 use crate::window::keys;
 use crate::window::panels::{self, Fields};
-use crate::window::picker::ScenePicker;
 use crate::window::picture_pane;
 use crate::window::saved;
 use crate::window::scene_panel::ScenePanel;
@@ -52,8 +52,6 @@ pub struct Inspector {
     pub fields: Fields,
     /// The message, and whether it is an error.
     pub message: Option<(String, bool)>,
-    /// The list of scenes.
-    pub picker: ScenePicker,
     menu: CompareMenu,
     /// The file chooser.
     pub chooser: FileChooser,
@@ -74,18 +72,7 @@ pub struct Inspector {
 impl Inspector {
     /// Starts to render a scene.
     pub fn new(ctx: &Context, loaded: Loaded) -> Self {
-        Self::of(Session::new(ctx, loaded))
-    }
-
-    /// Shows the error of a scene file, and waits until it is mended.
-    pub fn waiting_for(ctx: &Context, broken: Broken) -> Self {
-        let (open, message) = (broken.path.display().to_string(), (broken.error.clone(), true));
-        let mut inspector = Self::of(Session::waiting_for(ctx, broken));
-        (inspector.fields.open, inspector.message) = (open, Some(message));
-        inspector
-    }
-
-    fn of(session: Session) -> Self {
+        let session = Session::new(ctx, loaded);
         Self {
             picture: Picture::new(session.rendering.world.image.tone()),
             selection: Selection::default(),
@@ -94,7 +81,6 @@ impl Inspector {
             others: Others::default(),
             fields: Fields::default(),
             message: None,
-            picker: ScenePicker::default(),
             menu: CompareMenu::default(),
             chooser: FileChooser::default(),
             is_embedded: false,
@@ -109,10 +95,13 @@ impl Inspector {
         }
     }
 
-    /// Takes over the settings of an earlier run.
-    pub fn restore(&mut self, ctx: &Context, stored: StoredSettings) {
-        stored.ground.set(ctx);
-        self.settings = stored;
+    /// Shows the error of a scene file, and waits until it is mended.
+    pub fn waiting_for(ctx: &Context, mut broken: Broken) -> Self {
+        let mut inspector = Self::new(ctx, broken.placeholder());
+        inspector.fields.open = broken.path.display().to_string();
+        inspector.message = Some((broken.error.clone(), true));
+        inspector.session.waiting = Some(broken);
+        inspector
     }
 
     /// Explains an interesting pixel until one is selected.
@@ -163,7 +152,9 @@ impl Inspector {
         self.message = self.saving.poll().or(self.message.take());
         let opened = self.others.accept_opened(ctx, &mut self.session);
         self.message = opened.or(self.message.take());
-        opening::dropped(ctx).into_iter().for_each(|action| self.perform(ctx, action));
+        for path in platform::dropped(ctx) {
+            self.perform(ctx, opening::named(path));
+        }
         self.session.follow_files(ctx);
         self.frame.refresh(ctx, &self.session.rendering);
         self.selection.begin_frame();
@@ -225,7 +216,7 @@ impl Inspector {
         if let Some(theirs) = self.others.shown_mut() {
             theirs.refresh(ctx, rendering, self.picture.tone);
         }
-        match self.others.first_ray() {
+        match self.others.first.take() {
             Some(place) if selected.is_none() => {
                 self.seek(place);
                 self.space.restart();
@@ -250,7 +241,7 @@ impl Inspector {
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4));
         egui::Panel::top("files").frame(bar).show(ui, |ui| {
             let source = &rendering.source;
-            actions.extend(panels::files(ui, &mut self.fields, &mut self.picker, source));
+            actions.extend(panels::files(ui, &mut self.fields, source));
         });
         egui::Panel::bottom("status").frame(bar).show(ui, |ui| {
             let theirs = self.others.shown();

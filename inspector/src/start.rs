@@ -72,7 +72,8 @@ impl Start {
         (inspector.space.mode, inspector.selection.tab) = (arguments.view, arguments.tab);
         let stored = StoredSettings::read(storage);
         let ground = arguments.theme.unwrap_or(stored.ground);
-        inspector.restore(ctx, StoredSettings { ground, ..stored });
+        ground.set(ctx);
+        inspector.settings = StoredSettings { ground, ..stored };
         inspector
     }
 }

@@ -125,7 +125,7 @@ fn last_part(name: &str) -> &str {
 /// Shows the views to choose from, and the buttons of the next region and of the judgement.
 fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
     if !theirs.fits(rendering) {
-        let ([w, h], [width, height]) = (theirs.size(), rendering.size());
+        let ([w, h], [width, height]) = (theirs.pixels.size(), rendering.size());
         let name = &theirs.name;
         let text = format!("{name} has {w} × {h} pixels, our picture {width} × {height}");
         ui.colored_label(ui.visuals().warn_fg_color, text);
@@ -156,14 +156,15 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
     let differs = theirs.comparison(rendering).is_some_and(|comparison| !comparison.is_same());
     let next = ui.add_enabled(differs, Button::new("Next region"));
     let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
-    let judges = theirs.judgement.button(ui, rendering.is_finished() && theirs.part().is_none());
+    let judges =
+        theirs.judgement.button(ui, rendering.is_finished() && theirs.pixels.part().is_none());
     next.clicked().then_some(Action::NextRegion).or(judges.then_some(Action::Compare(With::Judge)))
 }
 
 /// Shows what differs, over the lower edge of the picture in this area, so that nothing moves: the verdict once somebody
 /// asked for it.
 pub fn caption(ui: &Ui, area: Rect, theirs: &Theirs, rendering: &Rendering) {
-    if theirs.program.as_ref().is_some_and(|program| program.log().is_some()) {
+    if theirs.log().is_some() {
         return;
     }
     let over = Area::new(Id::unique("caption")).order(Order::Middle).pivot(Align2::LEFT_BOTTOM);
@@ -174,7 +175,7 @@ pub fn caption(ui: &Ui, area: Rect, theirs: &Theirs, rendering: &Rendering) {
             return;
         }
         let comparison = theirs.comparison(rendering);
-        let text = match (comparison, theirs.part()) {
+        let text = match (comparison, theirs.pixels.part()) {
             (Some(comparison), _) => summary(comparison),
             (None, Some(part)) => {
                 format!("{}: {:.0} %, then compared", theirs.short_name(), 100.0 * part)

@@ -6,15 +6,13 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use eframe::egui::{
-    Align2, Button, Color32, Context, FontId, Id, Painter, Rect, RichText, Sense, Stroke,
-    StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
+    Align2, Button, Color32, Context, FontId, Id, Rect, RichText, Sense, Stroke, StrokeKind, Ui,
+    WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::{Canvas, Crop};
 use groundtruth::world::World;
-use judge::verdict::{
-    self, Case, Decision, DifferingRegion, Progress, Renders, Strictness, Verdict,
-};
+use judge::verdict::{self, Case, Decision, Progress, Renders, Strictness, Verdict};
 use pictures::compare::Picture;
 use text::brief::count;
 
@@ -36,7 +34,8 @@ pub struct Judgement {
     state: State,
     /// The generation of our picture that it belongs to.
     generation: u64,
-    map: Developed<()>,
+    /// The map of z.
+    pub map: Developed<()>,
 }
 
 #[derive(Default)]
@@ -162,12 +161,12 @@ impl Question {
 
 impl Judgement {
     /// Judges a picture as one of the scene that is shown.
-    pub fn start(&mut self, ctx: &Context, rendering: &Rendering, theirs: &Arc<Picture>) {
+    pub fn start(&mut self, ctx: &Context, rendering: &Rendering, theirs: Arc<Picture>) {
         *self = Self::default();
         self.generation = rendering.generation;
         let mut question = Question {
             built: rendering.built.clone(),
-            theirs: Arc::clone(theirs),
+            theirs,
             rendered: Vec::new(),
             under_way: None,
         };
@@ -250,7 +249,10 @@ impl Judgement {
                     Decision::Differs => ui.visuals().error_fg_color,
                     Decision::Undecided => ui.visuals().warn_fg_color,
                 };
-                let text = RichText::new(line(verdict)).color(color).size(VERDICT).strong();
+                let z = verdict.regions.first().and_then(|region| region.z);
+                let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
+                let text = RichText::new(verdict.sentence() + &z).color(color);
+                let text = text.size(VERDICT).strong();
                 ui.label(text).on_hover_text(RichText::new(verdict.to_string()).monospace());
             }
         }
@@ -258,11 +260,6 @@ impl Judgement {
             ui.weak("white: theirs is brighter, z ≥ 6 · grey: 0 · black: darker, z ≤ −6");
         }
         true
-    }
-
-    /// Draws the map of z; `false` if it is not made yet.
-    pub fn paint_map(&self, painter: &Painter, placement: &Placement) -> bool {
-        self.map.paint(painter, placement)
     }
 
     /// Frames the regions, each with its number. A click on a number selects the worst pixel.
@@ -285,7 +282,7 @@ impl Judgement {
             let (at, font) = (tag.center(), FontId::proportional(12.0));
             ui.painter().text(at, Align2::CENTER_CENTER, number, font, Color32::BLACK);
             if response.on_hover_text(region.to_string()).clicked() {
-                explained = Some(Action::Select(worst(region)));
+                explained = Some(Action::Select(region.worst.map(|along| along as u32)));
             }
         }
         explained
@@ -300,14 +297,3 @@ impl Drop for Judgement {
 
 /// The colour of regions, as on the page of `groundtruth verify`.
 const ORANGE: Color32 = Color32::from_rgb(255, 136, 0);
-
-/// A verdict in one line.
-fn line(verdict: &Verdict) -> String {
-    let z = verdict.regions.first().and_then(|region| region.z);
-    let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
-    verdict.sentence() + &z
-}
-
-fn worst(region: &DifferingRegion) -> [u32; 2] {
-    region.worst.map(|along| along as u32)
-}

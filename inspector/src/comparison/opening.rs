@@ -8,7 +8,7 @@ use pictures::compare;
 use crate::action::{Action, With};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
-use crate::platform::{self, FORMATS};
+use crate::platform::FORMATS;
 use crate::scene::source::Source;
 
 /// Whether a file is a picture, by its name.
@@ -26,11 +26,6 @@ pub fn named(path: PathBuf) -> Action {
     }
 }
 
-/// What opens the files that are dropped on the window.
-pub fn dropped(ctx: &Context) -> Vec<Action> {
-    platform::dropped(ctx).into_iter().map(named).collect()
-}
-
 /// Renders ours at the size of a file's picture. Returns what the user must know.
 ///
 /// # Errors
@@ -41,9 +36,9 @@ pub fn fit(
     picture: &Theirs,
 ) -> Result<Option<String>, String> {
     let mut scene = session.wanted.clone();
-    let is_alike = compare::fit(&mut scene, picture.size())
+    let is_alike = compare::fit(&mut scene, picture.pixels.size())
         .map_err(|error| format!("{}: {error}", picture.name))?;
-    if session.rendering.size() != picture.size() {
+    if session.rendering.size() != picture.pixels.size() {
         session.wanted = scene;
         session.rebuild(ctx);
     }

@@ -21,7 +21,7 @@ use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::source::Source;
-use crate::scene::watch::{self, Watch};
+use crate::scene::watch::Watch;
 
 /// All pictures beside ours, in the order in which they came.
 #[derive(Default)]
@@ -45,8 +45,8 @@ pub struct Others {
     kept: usize,
     /// The logs of rays, which are read again when they are written again.
     watch: Watch,
-    /// Where the window looks first in a log that was read.
-    first: Option<RayPlace>,
+    /// The ray that a log begins with that was read: the first that breaks a law. Taken once.
+    pub first: Option<RayPlace>,
 }
 
 /// What the user must know, and whether it is an error.
@@ -92,8 +92,9 @@ impl Others {
             With::NoMore => self.let_go(),
             With::Flip(shows) => self.shown_mut().into_iter().for_each(|it| it.flip(shows)),
             With::Judge => {
-                let rendering = &session.rendering;
-                self.shown_mut().into_iter().for_each(|theirs| theirs.judge(ctx, rendering));
+                let theirs = self.shown_mut()?;
+                let picture = theirs.pixels.picture()();
+                theirs.judgement.start(ctx, &session.rendering, picture);
             }
         }
         None
@@ -202,14 +203,9 @@ impl Others {
         self.choose(self.chosen);
     }
 
-    /// The ray that a log begins with: the first that breaks a law. Returned once.
-    pub fn first_ray(&mut self) -> Option<RayPlace> {
-        self.first.take()
-    }
-
     /// The log of the picture that is held against ours, if it is known by one.
     pub fn log(&self) -> Option<&Logged> {
-        self.shown()?.program.as_ref()?.log()
+        self.shown()?.log()
     }
 
     /// Whose rays stand beside those that are explained: ours if `None`; of a log that is alone those of another log that was
@@ -223,18 +219,6 @@ impl Others {
         let mut made =
             self.entries.iter().filter_map(|entry| entry.theirs.as_ref()?.program.as_ref());
         Some(Some(made.rfind(|it| it.log().is_some() && it.number != program.number)?))
-    }
-
-    /// Reads the logs again that were written again.
-    fn follow_logs(&mut self, ctx: &Context) {
-        if self.watch.is_empty() {
-            return;
-        }
-        ctx.request_repaint_after(watch::INTERVAL);
-        if self.watch.changed() {
-            let of_log = self.entries.iter_mut().filter(|entry| entry.log().is_some());
-            of_log.for_each(|entry| entry.made_beside = None);
-        }
     }
 
     /// Adds a picture that is made from the scene, and holds it against ours, side by side.
@@ -293,7 +277,6 @@ impl Others {
             }
             (Some(at), Some(recipe)) => {
                 self.choose(at);
-                self.shows = self.shown().map_or(self.shows, |theirs| theirs.shows);
                 let number = self.number();
                 self.entries[at] =
                     Entry { number, recipe: Some(recipe), made_beside: None, theirs: None };
@@ -321,7 +304,10 @@ impl Others {
     /// Starts to make the picture that is chosen, and holds it against ours once it is made. Returns why there is none, or
     /// not all of it.
     pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering) -> Option<String> {
-        self.follow_logs(ctx);
+        if self.watch.follow(ctx) {
+            let of_log = self.entries.iter_mut().filter(|entry| entry.log().is_some());
+            of_log.for_each(|entry| entry.made_beside = None);
+        }
         let wanted = self.wanted(rendering);
         if wanted != self.asked {
             self.is_stopped.store(true, Ordering::Relaxed);
@@ -366,8 +352,9 @@ impl Others {
         let Some(recipe) = &entry.recipe else { return };
         self.is_stopped = Arc::default();
         let (pixel, is_stopped) = (self.pixel.unwrap_or_default(), Arc::clone(&self.is_stopped));
-        self.working.start(ctx, recipe.work(rendering, pixel, is_stopped));
-        let log = entry.theirs.as_ref().and_then(|theirs| theirs.program.as_ref()?.log());
+        let (recipe, ours) = (recipe.clone(), rendering.built.clone());
+        self.working.start(ctx, move || recipe.make(ours, (pixel, &is_stopped)));
+        let log = entry.theirs.as_ref().and_then(Theirs::log);
         let has_pixel = log.is_some_and(|log| log.nearest(pixel) == Some(pixel));
         if entry.log().is_some() || has_pixel {
             // shown until the program has written a whole one

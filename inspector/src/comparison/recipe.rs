@@ -1,6 +1,5 @@
 //! How another picture is made from the open scene, to be held against ours.
 
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use groundtruth::film::Film;
@@ -10,7 +9,6 @@ use pictures::compare;
 
 use crate::comparison::pixel_command::PixelCommand;
 use crate::comparison::program::Program;
-use crate::picture::worker::Rendering;
 use crate::platform;
 use crate::scene::fields::Change;
 use crate::scene::source::{Built, Source};
@@ -56,36 +54,30 @@ impl Recipe {
         }
     }
 
-    /// The work that makes the program of the picture beside this one of ours, in its size; `is_stopped` ends it early. A
-    /// program is run for `pixel`.
-    pub fn work(
-        &self,
-        rendering: &Rendering,
-        pixel: [u32; 2],
-        is_stopped: Arc<AtomicBool>,
-    ) -> impl FnOnce() -> Made + Send + 'static {
-        let (recipe, ours, size) = (self.clone(), rendering.built.clone(), rendering.size());
-        move || {
-            let program = recipe.program(&ours, size, (pixel, &is_stopped))?;
-            Ok(program.map(|program| {
-                let film = program.log().map(|_| program.picture(size));
-                (program, film)
-            }))
-        }
+    /// Makes the program of the picture beside this one of ours. A program of a person's own is run for `pixel`; `is_stopped`
+    /// ends it early.
+    ///
+    /// # Errors
+    /// What does not fit or cannot be read.
+    pub fn make(self, ours: Built, (pixel, is_stopped): ([u32; 2], &AtomicBool)) -> Made {
+        let size = ours.world.picture_size();
+        let program = self.program(ours, (pixel, is_stopped))?;
+        Ok(program.map(|program| {
+            let film = program.log().map(|_| program.picture(size));
+            (program, film)
+        }))
     }
 
     fn program(
-        &self,
-        ours: &Built,
-        size: [u32; 2],
+        self,
+        ours: Built,
         (pixel, is_stopped): ([u32; 2], &AtomicBool),
     ) -> Result<Option<Program>, String> {
-        let (name, seed) = (self.name(), ours.world.seed);
+        let (name, seed, size) = (self.name(), ours.world.seed, ours.world.picture_size());
         let fit = |mut scene: Scene| match compare::fit(&mut scene, size) {
             Ok(_) => Ok(scene),
             Err(error) => Err(format!("{name}: {error}")),
         };
-        let ours = ours.clone();
         let built = match self {
             Self::Mistake(mistake) => {
                 let program = Mistaken::new(mistake, &ours.scene, ours.source.folder(), seed);
@@ -96,15 +88,15 @@ impl Recipe {
                 let run = platform::at_once(|| command.run(pixel, is_stopped))?;
                 return Program::of_run(run, &command.folder, ours).map(Some);
             }
-            Self::Scene(Source::Rays(path)) => return Program::of_log(path, ours).map(Some),
+            Self::Scene(Source::Rays(path)) => return Program::of_log(&path, ours).map(Some),
             Self::Field(change) => {
                 let scene = change.applied(&ours.scene)?;
                 ours.changed(scene, seed)?
             }
-            Self::Scene(other) => other.clone().load_changed(seed, &fit)?.built,
+            Self::Scene(other) => other.load_changed(seed, &fit)?.built,
             Self::State(_, kept) => {
-                let scene = fit((*kept.scene).clone())?;
-                kept.clone().changed(scene, kept.world.seed)?
+                let (scene, seed) = (fit((*kept.scene).clone())?, kept.world.seed);
+                kept.changed(scene, seed)?
             }
         };
         Ok(Some(Program::ours(name, built)))

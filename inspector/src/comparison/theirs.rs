@@ -11,7 +11,7 @@ use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 use judge::verdict;
 use pictures::compare::{Comparison, Differences, Picture, Transfer};
-use rays::RayPlace;
+use rays::{Logged, RayPlace};
 
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
@@ -46,7 +46,8 @@ pub struct Theirs {
     pub judgement: Judgement,
     /// The program that made it, if it is not of a file.
     pub program: Option<Arc<Program>>,
-    pixels: Pixels,
+    /// Its pixels.
+    pub pixels: Pixels,
     layer: Developed<()>,
     differences: Developed<()>,
     compared: Option<Compared>,
@@ -64,7 +65,7 @@ impl Theirs {
     pub fn read(path: &Path, encoding: Option<Transfer>) -> Result<Self, String> {
         let picture = platform::read_picture(path, encoding)?;
         let pixels = Pixels::Whole(picture.radiance().into(), Some(picture.into()));
-        Ok(Self::of(path.display().to_string(), pixels))
+        Ok(Self::of(path.display().to_string(), pixels, None, Shows::default()))
     }
 
     /// The picture of a program, in this view: a film, or what it renders from now on.
@@ -74,17 +75,16 @@ impl Theirs {
             Some(film) => Pixels::Whole(film.into(), None),
             None => Pixels::Growing(Growing::render(ctx, Arc::clone(&program))),
         };
-        let theirs = Self::of(program.name.clone(), pixels);
-        // a log opens at the first of its broken rays
-        let region = program.log().map(|_| 0);
-        Self { program: Some(program), shows, region, ..theirs }
+        Self::of(program.name.clone(), pixels, Some(program), shows)
     }
 
-    fn of(name: String, pixels: Pixels) -> Self {
+    fn of(name: String, pixels: Pixels, program: Option<Arc<Program>>, shows: Shows) -> Self {
         Self {
             name,
-            program: None,
-            shows: Shows::default(),
+            // a log opens at the first of its broken rays
+            region: program.as_ref().and_then(|program| program.log()).map(|_| 0),
+            program,
+            shows,
             divider: 0.5,
             judgement: Judgement::default(),
             pixels,
@@ -92,7 +92,6 @@ impl Theirs {
             differences: Developed::default(),
             compared: None,
             comparing: Background::default(),
-            region: None,
         }
     }
 
@@ -115,14 +114,9 @@ impl Theirs {
         self.program.as_ref().is_some_and(|program| program.is_beside_ours())
     }
 
-    /// Pixels across and down.
-    pub fn size(&self) -> [u32; 2] {
-        self.pixels.size()
-    }
-
-    /// The rendered part, from 0 to 1, while a program renders it.
-    pub fn part(&self) -> Option<f32> {
-        self.pixels.part()
+    /// The log of its rays, if that is what is known of it.
+    pub fn log(&self) -> Option<&Logged> {
+        self.program.as_ref()?.log()
     }
 
     /// Notes on what was ignored in its file.
@@ -134,14 +128,9 @@ impl Theirs {
         if let Pixels::Whole(_, stored) = &self.pixels { stored.as_deref() } else { None }
     }
 
-    /// Its radiance at a pixel; `None` outside, and where it is not rendered yet.
-    pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
-        self.pixels.radiance(pixel)
-    }
-
     /// Its value at a pixel in words: as stored if that is radiance, else radiance and the stored integers.
     pub fn value(&self, pixel: [u32; 2]) -> Option<String> {
-        let radiance = self.radiance(pixel)?;
+        let radiance = self.pixels.radiance(pixel)?;
         let Some(picture) = self.stored() else { return Some(text::brief::short(radiance)) };
         let [r, g, b] = picture.values[picture.index(pixel)];
         Some(match picture.step {
@@ -163,10 +152,10 @@ impl Theirs {
     /// The difference of theirs from ours at a pixel, 0 where the values of a file count as equal; `None` until both are
     /// rendered, and compared if theirs is of a file.
     pub fn difference(&self, rendering: &Rendering, pixel @ [x, y]: [u32; 2]) -> Option<Rgb> {
-        let [width, height] = self.size();
+        let [width, height] = self.pixels.size();
         if self.program.is_some() {
             // both are of double precision
-            return Some(self.radiance(pixel)? - rendering.radiance(pixel)?);
+            return Some(self.pixels.radiance(pixel)? - rendering.radiance(pixel)?);
         }
         let (_, differences) = &**self.compared_with(rendering)?;
         (x < width && y < height).then(|| differences.at([x, y]).into())
@@ -199,40 +188,40 @@ impl Theirs {
     pub fn next_region(&mut self, rendering: &Rendering) -> Result<[u32; 2], &'static str> {
         let comparison = self.comparison(rendering).ok_or("the pictures are not compared yet")?;
         let worst: Vec<_> = comparison.listed().map(|it| it.worst).collect();
-        let next = self.region.map_or(0, |region| region + 1) % worst.len().max(1);
-        self.region = Some(next);
-        worst.get(next).copied().ok_or("no pixel differs")
+        self.next_of(&worst).ok_or("no pixel differs")
     }
 
     /// Where the next ray stands that breaks a law, if it is a log that is shown, and there is one.
     pub fn next_broken(&mut self) -> Option<RayPlace> {
-        let log = self.program.as_ref()?.log()?;
-        let broken = log.broken_rays();
-        let next = self.region.map_or(0, |region| region + 1) % broken.len().max(1);
-        self.region = Some(next);
+        let broken = self.log()?.broken_rays();
         self.shows = if self.shows == Shows::Ours { Shows::Theirs } else { self.shows };
-        Some(log.place(*broken.get(next)?))
+        let next = self.next_of(&broken)?;
+        Some(self.log()?.place(next))
+    }
+
+    /// The next region or ray, and after the last the first again.
+    fn next_of<T: Copy>(&mut self, all: &[T]) -> Option<T> {
+        let next = self.region.map_or(0, |region| region + 1) % all.len().max(1);
+        self.region = Some(next);
+        all.get(next).copied()
     }
 
     /// The difference or the map of z that is shown, to be saved; `Some(None)` if it is not there yet.
     pub fn layer(&self, rendering: &Rendering) -> Option<Option<Beside>> {
         let name = named(self.shows).filter(|_| self.fits(rendering))?;
-        if self.shows == Shows::Map {
-            let map = self.judgement.verdict().map(|verdict| {
+        let films = if self.shows == Shows::Map {
+            self.judgement.verdict().map(|verdict| {
                 let (z, size) = (&verdict.shown.z, verdict.shown.theirs.size);
-                let values = film(size, |index| Rgb::grey(z[index]));
-                Beside { name, colors: verdict::map_film(z, size), values }
-            });
-            return Some(map);
-        }
-        let size @ [width, _] = self.size();
-        let difference = self.compared_with(rendering).map(|compared| {
-            let differences = &compared.1;
-            let at = |index: usize| [index as u32 % width, index as u32 / width];
-            let values = film(size, |index| differences.at(at(index)).into());
-            Beside { name, colors: differences.film(differences.within(UNCLIPPED)), values }
-        });
-        Some(difference)
+                (verdict::map_film(z, size), film(size, |index| Rgb::grey(z[index])))
+            })
+        } else {
+            self.compared_with(rendering).map(|compared| {
+                let differences = &compared.1;
+                let values = film(self.pixels.size(), |index| differences.values()[index].into());
+                (differences.film(differences.within(UNCLIPPED)), values)
+            })
+        };
+        Some(films.map(|(colors, values)| Beside { name, colors, values }))
     }
 
     /// Whether anything is still being computed for it.
@@ -240,24 +229,18 @@ impl Theirs {
         let is_compared = self.comparison(rendering).is_some();
         let is_due = self.is_comparable(rendering) && !is_compared;
         let is_developing = self.layer.is_busy() || self.differences.is_busy();
-        self.part().is_some() || is_developing || self.judgement.is_busy() || is_due
+        self.pixels.part().is_some() || is_developing || self.judgement.is_busy() || is_due
     }
 
     /// Whether it can be compared with our picture: a log has few of the pixels.
     fn is_comparable(&self, rendering: &Rendering) -> bool {
-        let is_log = self.program.as_ref().is_some_and(|program| program.log().is_some());
-        let is_whole = rendering.is_finished() && self.part().is_none();
-        is_whole && self.fits(rendering) && !is_log
+        let is_whole = rendering.is_finished() && self.pixels.part().is_none();
+        is_whole && self.fits(rendering) && self.log().is_none()
     }
 
     /// Whether our picture has its size.
     pub fn fits(&self, rendering: &Rendering) -> bool {
-        rendering.size() == self.size()
-    }
-
-    /// Judges it as a picture of the scene that is shown.
-    pub fn judge(&mut self, ctx: &Context, rendering: &Rendering) {
-        self.judgement.start(ctx, rendering, &self.pixels.picture()());
+        rendering.size() == self.pixels.size()
     }
 
     /// Compares with our picture once it is finished, and makes the layer that is shown.
@@ -311,7 +294,7 @@ impl Theirs {
                 self.compared_with(rendering).is_some()
                     && self.differences.paint(painter, placement)
             }
-            Shows::Map => self.judgement.paint_map(painter, placement),
+            Shows::Map => self.judgement.map.paint(painter, placement),
         };
         if !is_ready {
             let text = match self.shows {

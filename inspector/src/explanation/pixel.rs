@@ -134,7 +134,7 @@ pub fn theirs(
     (theirs, [ours, explained]): (&Theirs, [Option<Rgb>; 2]),
     shown: &Shown<'_>,
 ) {
-    let Some(radiance) = theirs.radiance(pixel).or(explained) else { return };
+    let Some(radiance) = theirs.pixels.radiance(pixel).or(explained) else { return };
     let value = theirs.value(pixel).unwrap_or_else(|| short(radiance));
     let name = theirs.short_name();
     let small = |text: String| RichText::new(text).monospace().size(12.0);

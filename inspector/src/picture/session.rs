@@ -11,7 +11,7 @@ use crate::picture::worker::{Background, Rendering};
 use crate::scene::reload;
 use crate::scene::source::{Built, Loaded, Source};
 use crate::scene::waiting::Broken;
-use crate::scene::watch::{self, Watch};
+use crate::scene::watch::Watch;
 
 /// The open scene, and the one that is being loaded.
 pub struct Session {
@@ -68,12 +68,6 @@ impl Session {
         }
     }
 
-    /// Waits until a scene file is mended.
-    pub fn waiting_for(ctx: &Context, mut broken: Broken) -> Self {
-        let (session, watch) = (Self::new(ctx, broken.placeholder()), take(&mut broken.watch));
-        Self { watch, waiting: Some(broken), ..session }
-    }
-
     /// Opens another scene; the present one stays if the other is invalid.
     pub fn open(&mut self, ctx: &Context, source: Source) {
         self.what = (format!("reading {}", source.name()), false);
@@ -128,11 +122,7 @@ impl Session {
 
     /// Reads the scene again if its file was changed; keeps the changes made in the window.
     pub fn follow_files(&mut self, ctx: &Context) {
-        if self.watch.is_empty() {
-            return;
-        }
-        ctx.request_repaint_after(watch::INTERVAL);
-        if self.loading.is_busy() || !self.watch.changed() {
+        if self.loading.is_busy() || !self.watch.follow(ctx) {
             return;
         }
         let Built { source, read, .. } = self.rendering.built.clone();

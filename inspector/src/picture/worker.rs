@@ -202,15 +202,12 @@ impl Rendering {
     /// The progress so far.
     pub fn progress(&self) -> Progress {
         // in this order: a task that succeeds sets its time before it ends
-        let ended = self.growing.task.is_ended();
-        if let Some(&took) = self.took.get() {
-            return Progress::Done(took);
+        let part = self.growing.part();
+        match (self.took.get(), part) {
+            (Some(&took), _) => Progress::Done(took),
+            (None, Some(part)) => Progress::Running(part, self.start.elapsed()),
+            (None, None) => Progress::Stopped,
         }
-        if ended {
-            return Progress::Stopped;
-        }
-        let (done, whole) = self.canvas.progress();
-        Progress::Running(done as f32 / whole as f32, self.start.elapsed())
     }
 
     /// Whether it is finished.

@@ -1,5 +1,6 @@
 //! A scene file of the command line that is not valid yet: the window shows the error and waits until it is mended.
 
+use std::mem::take;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -49,11 +50,12 @@ impl Broken {
         Some(Self { path, error, watch, seed, change, asked })
     }
 
-    /// A black pixel in place of the scene.
-    pub fn placeholder(&self) -> Loaded {
+    /// A black pixel in place of the scene, with the watch.
+    pub fn placeholder(&mut self) -> Loaded {
         let view = [point(0.0, 0.0, 1.0), point(0.0, 0.0, 0.0)];
         let scene = pinhole("", [1, 1], view, 1.0);
         let read = (Source::File(self.path.clone()), Arc::new(scene.clone()));
-        Built::of(read, scene, self.seed).expect("the placeholder is valid").into()
+        let built = Built::of(read, scene, self.seed).expect("the placeholder is valid");
+        Loaded { watch: Some(take(&mut self.watch)), ..built.into() }
     }
 }

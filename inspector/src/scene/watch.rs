@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use eframe::egui::Context;
 use groundtruth::scene::Scene;
 use web_time::Instant;
 
@@ -31,9 +32,12 @@ impl Watch {
         scenefile::files(scene).into_iter().for_each(|file| self.add(folder.join(file)));
     }
 
-    /// Whether there is anything to watch.
-    pub fn is_empty(&self) -> bool {
-        self.files.is_empty()
+    /// As [`Self::changed`], in each frame of a window, which is drawn again when the next check is due.
+    pub fn follow(&mut self, ctx: &Context) -> bool {
+        if !self.files.is_empty() {
+            ctx.request_repaint_after(INTERVAL);
+        }
+        self.changed()
     }
 
     /// Whether a file was changed since the last call; checked at most twice a second.

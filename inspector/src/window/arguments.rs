@@ -132,8 +132,9 @@ impl Arguments {
     /// scene has.
     pub fn load(&self, theirs: Option<&Theirs>) -> Result<Loaded, String> {
         let source = self.source()?;
-        let theirs = theirs.map(|theirs| (&*theirs.name, theirs.size()));
-        let loaded = source.load_changed(self.seed, &|scene| self.change(scene, theirs))?;
+        let theirs = theirs.map(|theirs| (theirs.name.clone(), theirs.pixels.size()));
+        let loaded =
+            source.load_changed(self.seed, &|scene| self.change(scene, theirs.as_ref()))?;
         let [width, height] = loaded.built.world.picture_size();
         if let Some([x, y]) = self.pixel.filter(|&[x, y]| x >= width || y >= height) {
             return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height}"));
@@ -150,21 +151,22 @@ impl Arguments {
     /// The scene file, if it is there but cannot be loaded.
     pub fn broken(&self, theirs: Option<&Theirs>) -> Option<Broken> {
         let Ok(Source::File(path)) = self.source() else { return None };
-        let (arguments, theirs) =
-            (self.clone(), theirs.map(|theirs| (theirs.name.clone(), theirs.size())));
-        let change = move |scene| {
-            let theirs = theirs.as_ref().map(|(name, size)| (&**name, *size));
-            arguments.change(scene, theirs)
-        };
+        let theirs = theirs.map(|theirs| (theirs.name.clone(), theirs.pixels.size()));
+        let arguments = self.clone();
+        let change = move |scene| arguments.change(scene, theirs.as_ref());
         let asked = self.pixel.map(|pixel| (pixel, self.sample.unwrap_or(0)));
         Broken::of(path, self.seed, (Arc::new(change), asked))
     }
 
     /// A scene with the settings of the arguments, at the size of their picture; `theirs` is its name and size.
-    fn change(&self, mut scene: Scene, theirs: Option<(&str, [u32; 2])>) -> Result<Scene, String> {
+    fn change(
+        &self,
+        mut scene: Scene,
+        theirs: Option<&(String, [u32; 2])>,
+    ) -> Result<Scene, String> {
         if let Some((name, size @ [width, height])) = theirs {
             let [w, h] = [scene.image.width, scene.image.height];
-            let is_alike = compare::fit(&mut scene, size);
+            let is_alike = compare::fit(&mut scene, *size);
             if !is_alike.map_err(|error| format!("{name}: {error}"))? {
                 eprintln!(
                     "note: {name} has {width} × {height} pixels, the scene the shape of {w} × {h}; the width of its view is kept"

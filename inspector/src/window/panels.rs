@@ -18,9 +18,10 @@ use crate::scene::source::Source;
 use crate::splits::{Mode, fixed};
 use crate::window::picker::ScenePicker;
 
-/// The text typed into the bars.
+/// The text typed into the bars, and the list of scenes.
 #[derive(Default)]
 pub struct Fields {
+    picker: ScenePicker,
     /// A scene file to open.
     pub open: String,
     /// The file for the picture or the layer.
@@ -61,24 +62,18 @@ pub fn file_field() -> Id {
 }
 
 /// Shows the scene and the pixel to explain, then the file to open and the file to save.
-pub fn files(
-    ui: &mut Ui,
-    fields: &mut Fields,
-    picker: &mut ScenePicker,
-    source: &Source,
-) -> Option<Action> {
+pub fn files(ui: &mut Ui, fields: &mut Fields, source: &Source) -> Option<Action> {
     let width = ui.available_width();
     if width >= ONE_ROW_MIN_WIDTH {
         let row = |ui: &mut Ui| {
-            let asked = scene_and_pixel(ui, fields, picker, source, 220.0);
+            let asked = scene_and_pixel(ui, fields, source, 220.0);
             ui.separator();
             asked.or(open_and_save(ui, fields, [230.0, 190.0]))
         };
         return ui.horizontal(row).inner;
     }
     // the width that labels, buttons and other fields leave
-    let asked =
-        ui.horizontal(|ui| scene_and_pixel(ui, fields, picker, source, width - 280.0)).inner;
+    let asked = ui.horizontal(|ui| scene_and_pixel(ui, fields, source, width - 280.0)).inner;
     let half = 0.5 * (width - 310.0);
     asked.or(ui.horizontal(|ui| open_and_save(ui, fields, [half, half])).inner)
 }
@@ -86,11 +81,10 @@ pub fn files(
 fn scene_and_pixel(
     ui: &mut Ui,
     fields: &mut Fields,
-    picker: &mut ScenePicker,
     source: &Source,
     width: f32,
 ) -> Option<Action> {
-    let picked = picker.show(ui, &source.name(), width);
+    let picked = fields.picker.show(ui, &source.name(), width);
     ui.separator();
     let field = TextEdit::singleline(&mut fields.pixel).hint_text("x, y");
     let selected = entry(ui, "Pixel", field, 70.0) | ui.button("Explain").clicked();
@@ -295,11 +289,12 @@ fn progress(ui: &mut Ui, rendering: &Rendering) {
 /// A pixel and its radiance, also that of their picture.
 fn under_mouse(rendering: &Rendering, theirs: Option<&Theirs>, pixel @ [x, y]: [u32; 2]) -> String {
     let alone = theirs.filter(|theirs| theirs.explained().is_some() && !theirs.is_twin());
-    if let Some(radiance) = alone.and_then(|theirs| theirs.radiance(pixel)) {
+    if let Some(radiance) = alone.and_then(|theirs| theirs.pixels.radiance(pixel)) {
         return format!("({x}, {y})  {}", short(radiance));
     }
     let ours = rendering.radiance(pixel).map_or("not rendered yet".to_owned(), short);
-    let theirs = theirs.and_then(|theirs| Some((theirs.short_name(), theirs.radiance(pixel)?)));
+    let theirs =
+        theirs.and_then(|theirs| Some((theirs.short_name(), theirs.pixels.radiance(pixel)?)));
     let theirs = theirs.map_or(String::new(), |(name, it)| format!("  {name} {}", short(it)));
     format!("({x}, {y})  {ours}{theirs}")
 }

@@ -24,8 +24,7 @@ pub fn show(
     let hovered = picture.show(ui, rendering, selection.pixel, |painter, placement| {
         if let Some(theirs) = &theirs {
             theirs.paint(painter, placement, rendering);
-            let log = theirs.program.as_ref().and_then(|program| program.log());
-            if let Some(log) = log.filter(|_| theirs.shows != Shows::Ours) {
+            if let Some(log) = theirs.log().filter(|_| theirs.shows != Shows::Ours) {
                 checks::mark_pixels(painter, placement, log);
             }
         }

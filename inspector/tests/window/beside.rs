@@ -49,7 +49,7 @@ fn a_field_with_another_value_is_compared() {
     assert_eq!((&*theirs(&window).name, theirs(&window).shows), ("eta = 1.33", Shows::Swipe));
     let [a, b] = [&ours, &with_water].map(|film| film.get(ON_GLASS));
     assert_ne!(a, b);
-    assert_eq!(theirs(&window).radiance(ON_GLASS), Some(b));
+    assert_eq!(theirs(&window).pixels.radiance(ON_GLASS), Some(b));
     let selection = &window.state().selection;
     assert_eq!(selection.explanation().expect("explained").radiance, a);
     assert_eq!(selection.beside.explanation().expect("explained").radiance, b);
@@ -72,7 +72,7 @@ fn words_of_one_field_stand_for_its_path() {
     enter(&mut window, "eta=1.33");
     text_with(&window, " fields have these words");
     enter(&mut window, "inside.eta=1.33");
-    assert_eq!(theirs(&window).radiance(ON_GLASS), Some(rendered(&water()).get(ON_GLASS)));
+    assert_eq!(theirs(&window).pixels.radiance(ON_GLASS), Some(rendered(&water()).get(ON_GLASS)));
 }
 
 /// Law: side by side stand the numbers of the selected ray in both, ours first, whichever is shown. Oracle: the angles of
@@ -141,7 +141,7 @@ fn a_kept_state_stays() {
     without.lights[1].enabled = false;
     assert_eq!(film(&window).pixels(), rendered(&without).pixels());
     for y in 0..48 {
-        assert_eq!(theirs(&window).radiance([24, y]), Some(before.get([24, y])));
+        assert_eq!(theirs(&window).pixels.radiance([24, y]), Some(before.get([24, y])));
     }
     assert_eq!(theirs(&window).name, "state 1");
 }
@@ -161,7 +161,7 @@ fn another_scene_is_compared() {
     let other = rendered(&other);
     assert_eq!(theirs(&window).name, "ch03/single-sphere");
     for y in 0..48 {
-        assert_eq!(theirs(&window).radiance([24, y]), Some(other.get([24, y])));
+        assert_eq!(theirs(&window).pixels.radiance([24, y]), Some(other.get([24, y])));
     }
 
     open_menu(&mut window);

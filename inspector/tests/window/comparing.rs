@@ -178,7 +178,7 @@ fn several_pictures_are_kept() {
     assert_eq!(window.state().others.count(), 3);
     let sizes = |window: &Window| {
         let theirs = window.state().others.shown().expect("one is chosen");
-        (theirs.size()[0], window.state().session.rendering.size()[0], theirs.shows)
+        (theirs.pixels.size()[0], window.state().session.rendering.size()[0], theirs.shows)
     };
     assert_eq!(sizes(&window), (30, 30, Shows::Swipe));
     press(&mut window, Key::T);

@@ -65,7 +65,7 @@ fn the_wrong_picture_follows_the_scene() {
     set(&mut window, |it| it.others.set_mistake(mistakes::find(NAME)));
     press(&mut window, Key::T);
     type_number(&mut window, "Width", "50");
-    assert_eq!((theirs(&window).size(), theirs(&window).shows), ([50, 48], Shows::Theirs));
+    assert_eq!((theirs(&window).pixels.size(), theirs(&window).shows), ([50, 48], Shows::Theirs));
 }
 
 /// Law: of a mistake that changes nothing of the scene the window says so, and shows ours. Oracle: a scene without a lens.

@@ -99,7 +99,7 @@ fn its_picture_is_under_its_rays() {
     let mut window = window_sized(folder.path(), ["--compare", &picture], ("", &script));
     click(&mut window, [5, 7]);
     assert_eq!(radiance(&window), Some(Rgb::grey(0.5)));
-    let of_picture = [[3, 3], [5, 7]].map(|pixel| theirs(&window).radiance(pixel));
+    let of_picture = [[3, 3], [5, 7]].map(|pixel| theirs(&window).pixels.radiance(pixel));
     assert_eq!(of_picture, [Some(Rgb::WHITE), Some(Rgb::BLACK)]);
 }
 

@@ -36,7 +36,7 @@ fn another_picture_is_explained_before_it_is_whole() {
         window.state().selection.beside.explanation().map(|answer| answer.radiance)
     };
     wait_until(&mut window, "it is explained", |window| explained(window).is_some());
-    assert!(theirs(&window).part().is_some_and(|part| part < 0.9), "it is rendered");
+    assert!(theirs(&window).pixels.part().is_some_and(|part| part < 0.9), "it is rendered");
     let answer = explain::pixel(&other, &built(&other), pixel, None).expect("few rays").radiance;
     assert_eq!(explained(&window), Some(answer));
     window.run_steps(2);
