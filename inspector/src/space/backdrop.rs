@@ -78,8 +78,6 @@ pub struct Backdrop {
     /// The object that is lit, and its pixels.
     lit: Option<(u32, TextureHandle)>,
     working: Background<Option<Drawn>>,
-    /// The step that is being drawn.
-    step: usize,
     /// Set when what is being drawn is no longer wanted.
     cancelled: Arc<AtomicBool>,
     wanted: Option<Request>,
@@ -91,7 +89,7 @@ impl Backdrop {
         self.accept(ctx, Duration::ZERO);
         if self.wanted.as_ref() != Some(&request) {
             // a coarse picture is finished: else nothing would be seen while the camera moves
-            if self.step > 0 {
+            if self.drawn.as_ref().map(|drawn| &drawn.request) == self.wanted.as_ref() {
                 self.cancelled.store(true, Ordering::Relaxed);
                 self.working = Background::default();
             }
@@ -107,7 +105,6 @@ impl Backdrop {
         if step == SIDES.len() || request.size.contains(&0) {
             return;
         }
-        self.step = step;
         self.cancelled = Arc::new(AtomicBool::new(false));
         let (world, cancelled) = (Arc::clone(world), Arc::clone(&self.cancelled));
         let runs = self.drawn.as_ref().filter(|_| step > 0).and_then(|drawn| drawn.runs.clone());

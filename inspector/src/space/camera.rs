@@ -69,12 +69,15 @@ impl Camera {
         self.has_seen_rays |= scene.root.is_some();
     }
 
-    /// Looks through an object from now on, or no longer.
-    pub fn toggle(&mut self, object: u32) {
-        match self.faded.iter().position(|&faded| faded == object) {
-            Some(at) => drop(self.faded.remove(at)),
-            None => self.faded.push(object),
+    /// Shows whether an object is looked through. Returns whether that was changed.
+    pub fn fade(&mut self, ui: &mut Ui, object: u32, text: String) -> bool {
+        let mut is_faded = self.faded.contains(&object);
+        let is_changed = ui.checkbox(&mut is_faded, text).changed();
+        if is_changed {
+            self.faded.retain(|faded| *faded != object);
+            self.faded.extend(is_faded.then_some(object));
         }
+        is_changed
     }
 
     /// Shows the buttons.
@@ -143,20 +146,15 @@ impl Camera {
             let distance = orbit.distance / f64::from(zoomed(ui, 0.003));
             orbit.distance = distance.clamp(f64::MIN_POSITIVE, f64::MAX);
         }
-        if response.has_focus() {
-            self.press(ui, scene);
+        if !response.has_focus() {
+            return;
         }
-    }
-
-    fn press(&mut self, ui: &Ui, scene: &Seen<'_>) {
         let presses = |key| ui.input(|input| input.num_presses(key)) as f64;
-        if let Some(orbit) = &mut self.orbit {
-            let across = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
-            let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
-            orbit.turn(STEP * across, STEP * up);
-            let nearer = presses(Key::Plus) + presses(Key::Equals) - presses(Key::Minus);
-            orbit.distance *= 1.0 - 0.1 * nearer.clamp(-5.0, 5.0);
-        }
+        let across = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
+        let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
+        orbit.turn(STEP * across, STEP * up);
+        let nearer = presses(Key::Plus) + presses(Key::Equals) - presses(Key::Minus);
+        orbit.distance *= 1.0 - 0.1 * nearer.clamp(-5.0, 5.0);
         for (_, key, look, _) in LOOKS {
             if ui.input(|input| input.key_pressed(key)) {
                 self.look(look, scene);

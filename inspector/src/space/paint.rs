@@ -43,6 +43,7 @@ pub struct Canvas<'a> {
 }
 
 /// What is drawn of a tree.
+#[derive(Default)]
 pub struct Rays<'a> {
     /// The rays, in the order of their numbers.
     pub by_number: &'a [&'a RecordedRay],
@@ -52,8 +53,8 @@ pub struct Rays<'a> {
     pub runs: Option<&'a [Runs]>,
     /// The rays that are lit; all if there are none.
     pub lit: &'a [usize],
-    /// The rays that break a law.
-    pub broken: &'a BTreeMap<usize, Vec<String>>,
+    /// The rays that break a law, if laws were asked.
+    pub broken: Option<&'a BTreeMap<usize, Vec<String>>>,
     /// Whether they are drawn thin and dashed, as those of the other one of two trees.
     pub dashed: bool,
     /// The length of normals, in world units; no normals if `None`.
@@ -98,7 +99,7 @@ impl Canvas<'_> {
         for (index, segment) in rays.segments.iter().enumerate() {
             let Some(ray) = numbered(rays.by_number, segment.ray) else { continue };
             let is_lit = rays.lit.contains(&segment.ray);
-            let is_broken = rays.broken.contains_key(&segment.ray);
+            let is_broken = rays.broken.is_some_and(|it| it.contains_key(&segment.ray));
             let dimmed = if rays.lit.is_empty() || is_lit { 1.0 } else { DIMMED };
             let weight = weight(ray.share);
             let width = if is_lit || is_broken { 3.0 } else { 0.8 + 1.4 * weight };

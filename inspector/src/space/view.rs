@@ -220,10 +220,7 @@ impl SpaceView {
     fn fading(&mut self, ui: &mut Ui, world: &World) {
         ui.weak("Transparent materials always are.");
         for object in world.objects() {
-            let mut is_faded = self.camera.faded.contains(&object.index);
-            if ui.checkbox(&mut is_faded, name(&object.name)).changed() {
-                self.camera.toggle(object.index);
-            }
+            self.camera.fade(ui, object.index, name(&object.name).to_string());
         }
     }
 
@@ -267,11 +264,8 @@ impl SpaceView {
                 canvas.rays(&Rays {
                     by_number: &other.rays(),
                     segments: &pieces.segments,
-                    runs: None,
-                    lit: &[],
-                    broken: &BTreeMap::new(),
                     dashed: true,
-                    normals: None,
+                    ..Rays::default()
                 });
             }
             let drawn = canvas.rays(&Rays {
@@ -279,7 +273,7 @@ impl SpaceView {
                 segments: &pieces.segments,
                 runs: runs.as_deref().map(Vec::as_slice),
                 lit: if lit.is_some() || selected > 0 { &all_lit } else { &[] },
-                broken: &selection.tree.found,
+                broken: Some(&selection.tree.found),
                 dashed: false,
                 normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
@@ -322,9 +316,7 @@ impl SpaceView {
         let object_name = name(world.names.objects.get(object as usize)?);
         let mut asked = None;
         response.context_menu(|ui| {
-            let mut is_faded = self.camera.faded.contains(&object);
-            if ui.checkbox(&mut is_faded, format!("Look through {object_name}")).changed() {
-                self.camera.toggle(object);
+            if self.camera.fade(ui, object, format!("Look through {object_name}")) {
                 ui.close();
             }
             let question = format!("Why does the selected ray not hit {object_name}?");
