@@ -113,10 +113,10 @@ impl Inspector {
     pub fn is_busy(&self) -> bool {
         let rendering = &self.session.rendering;
         self.session.loading.is_busy()
-            || self.saving.is_busy()
+            || self.saving.working.is_busy()
             || self.chooser.is_open()
             || self.selection.is_waiting()
-            || self.panel.making.is_busy()
+            || self.panel.making.working.is_busy()
             || matches!(rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(rendering)
             || self.space.is_busy()
@@ -157,6 +157,7 @@ impl Inspector {
         }
         self.session.follow_files(ctx);
         self.frame.refresh(ctx, &self.session.rendering);
+        self.panel.making.refresh(ctx);
         self.selection.begin_frame();
     }
 
@@ -166,9 +167,13 @@ impl Inspector {
             self.others.run_again();
             self.select(pixel);
         }
-        if let Some(pixel) = self.stepped(ui) {
+        // unless the arrow keys are needed elsewhere
+        let has_keys = self.picture.has_keys(ui.ctx()) && !self.saving.is_asking();
+        if let Some(pixel) = self.selection.pixel.filter(|_| has_keys)
+            && let Some(next) = display::stepped(ui, pixel, self.session.rendering.size())
+        {
             self.selection.keep_ray();
-            self.reveal(pixel);
+            self.reveal(next);
         }
         if let Some(pixel) = self.selection.again.take() {
             self.reveal(pixel);
@@ -179,7 +184,7 @@ impl Inspector {
             self.select(pixel);
             (self.message, self.selection.is_proposed) = (message, true);
         }
-        self.explain_selected(ui.ctx());
+        self.selection.refresh(ui.ctx(), &self.session.rendering, &self.others);
     }
 
     /// Shows everything. Returns what the user asks for.
@@ -224,12 +229,6 @@ impl Inspector {
             Some(place) if selected == Some(place.pixel) => self.selection.seek(place),
             _ => {}
         }
-        self.explain_selected(ctx);
-    }
-
-    /// Explains the selected pixel of the picture that is shown.
-    fn explain_selected(&mut self, ctx: &Context) {
-        self.panel.making.refresh(ctx);
         self.selection.refresh(ctx, &self.session.rendering, &self.others);
     }
 
@@ -272,18 +271,18 @@ impl Inspector {
             ui.centered_and_justified(|ui| ui.weak(text));
             return Vec::new();
         }
-        let parts = self.settings.splits.show(ui, ui.max_rect());
-        for area in parts.scene.into_iter().chain([parts.explanation, parts.picture]) {
+        let (scene, [picture, explanation]) = self.settings.splits.show(ui, ui.max_rect());
+        for area in scene.into_iter().chain([explanation, picture]) {
             ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         }
         let margin = vec2(8.0, 6.0);
         let mut pointed = None;
-        let is_changed = parts.scene.is_some_and(|area| {
+        let is_changed = scene.is_some_and(|area| {
             let panel =
                 |ui: &mut Ui| self.scene.show(ui, &mut self.session, &self.others, &mut pointed);
             part(ui, "scene", area, margin, panel)
         });
-        let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
+        let is_resampled = part(ui, "explanation", explanation, margin, |ui| {
             let Session { rendering, wanted, .. } = &mut self.session;
             let (theirs, tone) = (self.others.shown(), &self.picture.tone);
             let (beside, view) = (self.others.beside(), self.space.mode);
@@ -291,7 +290,7 @@ impl Inspector {
             self.panel.show(ui, &mut self.selection, &shown, wanted, &mut self.settings.splits)
         });
         self.space.pointed = pointed;
-        let [of_picture, of_space] = self.space.mode.divide(parts.picture);
+        let [of_picture, of_space] = self.space.mode.divide(picture);
         self.hovered = None;
         let mut actions = Vec::new();
         let Self { picture, others, selection, space, .. } = self;
@@ -318,13 +317,6 @@ impl Inspector {
         actions
     }
 
-    /// The next pixel that the arrow keys ask for, unless they are needed elsewhere.
-    fn stepped(&self, ui: &Ui) -> Option<[u32; 2]> {
-        let pixel = self.selection.pixel?;
-        let is_ours = self.picture.has_keys(ui.ctx()) && !self.saving.is_asking();
-        is_ours.then(|| display::stepped(ui, pixel, self.session.rendering.size()))?
-    }
-
     /// Shows a scene that was opened; keeps what still belongs to it.
     fn accept(&mut self, ctx: &Context, opened: Opened) {
         let rendering = &self.session.rendering;
@@ -342,7 +334,8 @@ impl Inspector {
         }
         if !opened.is_same_scene {
             self.space.restart();
-            self.fields.forget_save();
+            // a name that was typed was for the other scene
+            self.fields.save.clone_from(&self.fields.proposed);
             self.others.forget_logs();
             match opened.rays {
                 Some(path) => self.others.add_log(path),

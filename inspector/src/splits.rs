@@ -84,20 +84,10 @@ impl Default for Splits {
     }
 }
 
-/// The areas of the parts on the screen.
-#[derive(Clone, Copy, Debug)]
-pub struct Parts {
-    /// The scene: its settings, lights and objects; nothing while it is folded away.
-    pub scene: Option<Rect>,
-    /// The picture.
-    pub picture: Rect,
-    /// The explanation of the selected pixel.
-    pub explanation: Rect,
-}
-
 impl Splits {
-    /// Draws the bars, moves them with the mouse, and returns the areas of the parts.
-    pub fn show(&mut self, ui: &mut Ui, area: Rect) -> Parts {
+    /// Draws the bars, and moves them with the mouse. Returns the areas of the scene, which has none while it is folded away,
+    /// and of picture and explanation.
+    pub fn show(&mut self, ui: &mut Ui, area: Rect) -> (Option<Rect>, [Rect; 2]) {
         let Self { scene: left, explanation: right, .. } = *self;
         let at = |share: f32| (area.left() + share * area.width()).round();
         let [least, most] = SCENE_MIN_WIDTH;
@@ -119,12 +109,9 @@ impl Splits {
         let (first, last) = (strip(area, at(left)), strip(area, at(1.0 - right)));
         // below the button that folds it away
         let button = if area.width() < NARROW { FOLDED - BAR } else { 0.0 };
-        let scene = area.min + vec2(0.0, button);
-        Parts {
-            scene: (!is_folded).then(|| Rect::from_min_max(scene, first.left_bottom())),
-            picture: area.with_min_x(first.right()).with_max_x(last.left()),
-            explanation: area.with_min_x(last.right()),
-        }
+        let scene = Rect::from_min_max(area.min + vec2(0.0, button), first.left_bottom());
+        let picture = area.with_min_x(first.right()).with_max_x(last.left());
+        (Some(scene).filter(|_| !is_folded), [picture, area.with_min_x(last.right())])
     }
 
     /// In a narrow window shows the button that folds the scene's panel away. Returns whether it is.

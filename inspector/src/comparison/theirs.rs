@@ -20,7 +20,7 @@ use crate::comparison::program::Program;
 use crate::picture::chosen_layer::named;
 use crate::picture::developed::{self, Developed, Version};
 use crate::picture::display::write;
-use crate::picture::saving::Beside;
+use crate::picture::saving::Content;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Growing, Rendering};
 use crate::platform;
@@ -207,7 +207,7 @@ impl Theirs {
     }
 
     /// The difference or the map of z that is shown, to be saved; `Some(None)` if it is not there yet.
-    pub fn layer(&self, rendering: &Rendering) -> Option<Option<Beside>> {
+    pub fn layer(&self, rendering: &Rendering) -> Option<Option<Content>> {
         let name = named(self.shows).filter(|_| self.fits(rendering))?;
         let films = if self.shows == Shows::Map {
             self.judgement.verdict().map(|verdict| {
@@ -221,7 +221,7 @@ impl Theirs {
                 (differences.film(differences.within(UNCLIPPED)), values)
             })
         };
-        Some(films.map(|(colors, values)| Beside { name, colors, values }))
+        Some(films.map(|(colors, values)| Content::Beside { name, colors, values }))
     }
 
     /// Whether anything is still being computed for it.

@@ -32,12 +32,14 @@ pub struct Question {
     pub sample: u32,
 }
 
-type Explained = Result<Arc<PixelExplanation>, String>;
+/// The explanation, or why there is none.
+pub type Explained = Result<Arc<PixelExplanation>, String>;
 
 /// The last question, and its answer.
 #[derive(Default)]
 pub struct Asked {
-    answered: Option<(Question, Explained)>,
+    /// Of which question, once it is answered.
+    pub answered: Option<(Question, Explained)>,
     /// The work on it.
     pub working: Background<(Question, Explained)>,
 }
@@ -123,11 +125,6 @@ impl Asked {
     /// The pixel that the answer is of.
     pub fn pixel(&self) -> Option<[u32; 2]> {
         self.answered.as_ref().map(|(question, _)| question.pixel)
-    }
-
-    /// The explanation, or why there is none, if it is finished.
-    pub fn outcome(&self) -> Option<Result<&Arc<PixelExplanation>, &str>> {
-        self.answered.as_ref().map(|(_, answer)| answer.as_ref().map_err(|error| &**error))
     }
 
     /// The explanation, if it is finished.

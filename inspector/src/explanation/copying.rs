@@ -18,7 +18,8 @@ use crate::splits::Mode;
 /// A text for the clipboard that takes a while to make.
 #[derive(Default)]
 pub struct Making {
-    working: Background<Result<String, String>>,
+    /// The work on it.
+    pub working: Background<Result<String, String>>,
     /// Why the last one could not be made.
     pub problem: Option<String>,
 }
@@ -31,11 +32,6 @@ impl Making {
             Some(Err(problem)) => self.problem = Some(problem),
             None => {}
         }
-    }
-
-    /// Whether it is being made.
-    pub fn is_busy(&self) -> bool {
-        self.working.is_busy()
     }
 
     /// Makes the page of a sample of a pixel, with the section of a ray.

@@ -64,9 +64,9 @@ impl Panel {
         wanted: &mut Scene,
         splits: &mut Splits,
     ) -> bool {
-        let answer = match selection.asked.outcome() {
-            Some(Ok(explanation)) => Arc::clone(explanation),
-            Some(Err(error)) => {
+        let answer = match &selection.asked.answered {
+            Some((_, Ok(explanation))) => Arc::clone(explanation),
+            Some((_, Err(error))) => {
                 ui.colored_label(ui.visuals().error_fg_color, error);
                 return false;
             }
@@ -204,9 +204,8 @@ impl Panel {
         let names = programs.map(|program| program.map_or("ours", |program| &program.name));
         match (selection.root(), selection.root_beside()) {
             (Some(this), Some(other)) => {
-                let name =
-                    |(Question { pixel: [x, y], .. }, _): (Question, _)| format!("({x}, {y})");
-                let pixels = [name(this), name(other)];
+                let pixels = [this, other].map(|(of, _)| of.pixel);
+                let pixels = pixels.map(|[x, y]| format!("({x}, {y})"));
                 let whose = match selection.pinned_beside() {
                     Some(_) => (true, pixels.each_ref().map(String::as_str)),
                     None => (programs[1].is_some(), names),
@@ -275,7 +274,7 @@ impl Panel {
                 let ray = root.map(|root| selection.tree.selected(root));
                 let sample = selection.sample.min(last);
                 pixel::copy_menu(ui, shown, answer, sample, ray, &mut self.making);
-                match selection.is_waiting() || self.making.is_busy() {
+                match selection.is_waiting() || self.making.working.is_busy() {
                     true => drop(ui.spinner()),
                     false => copying::show_copied(ui),
                 }

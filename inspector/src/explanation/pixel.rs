@@ -20,16 +20,15 @@ const LINE: f32 = 18.0;
 /// Shows the chooser of the sample whose tree is shown.
 pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     let label = ui.label("sample");
-    let mut sample = (*chosen).min(last);
-    if ui.add_enabled(sample > 0, Button::new("<")).clicked() {
-        sample -= 1;
+    *chosen = (*chosen).min(last);
+    if ui.add_enabled(*chosen > 0, Button::new("<")).clicked() {
+        *chosen -= 1;
     }
-    ui.add(DragValue::new(&mut sample).range(0..=last)).labelled_by(label.id);
-    if ui.add_enabled(sample < last, Button::new(">")).clicked() {
-        sample += 1;
+    ui.add(DragValue::new(chosen).range(0..=last)).labelled_by(label.id);
+    if ui.add_enabled(*chosen < last, Button::new(">")).clicked() {
+        *chosen += 1;
     }
     ui.weak(format!("of 0 to {last}"));
-    *chosen = sample;
 }
 
 /// Shows a menu that copies what reproduces this pixel outside the window, and the selected ray.

@@ -12,12 +12,9 @@ const MAX_RAYS: u64 = 200;
 /// Of a grid of pixels the one whose first sample has most rays; of equal ones that nearest to the middle.
 pub fn interesting(world: &World) -> [u32; 2] {
     let size = world.picture_size();
-    let at = |[column, row]: [u32; 2]| {
-        let middle = |step: u32, side: u32| {
-            (u64::from(side) * u64::from(2 * step + 1) / u64::from(2 * GRID)) as u32
-        };
-        [middle(column, size[0]), middle(row, size[1])]
-    };
+    let middle =
+        |step: u32, side: u32| u64::from(side) * u64::from(2 * step + 1) / u64::from(2 * GRID);
+    let at = |step: [u32; 2]| [0, 1].map(|axis| middle(step[axis], size[axis]) as u32);
     let rays = |pixel: [u32; 2]| {
         let mut budget = RayBudget::up_to(MAX_RAYS);
         world.sample(pixel, 0, &mut (), &mut budget);

@@ -29,9 +29,8 @@ pub fn named(shows: Shows) -> Option<&'static str> {
 pub struct ChosenLayer {
     /// The layer; the picture if `None`.
     pub chosen: Option<Layer>,
-    offered: Vec<Layer>,
-    /// The rendering whose layers are offered.
-    offered_of: Option<u64>,
+    /// The layers of a rendering, once they are known.
+    offered: Option<(u64, Vec<Layer>)>,
     offering: Background<(u64, Vec<Layer>)>,
     finding: Option<(Found, Growing)>,
     developed: Developed<Found, (Colors, Vec<LegendRow>)>,
@@ -83,7 +82,7 @@ impl ChosenLayer {
             .width(width)
             .height(480.0);
         let entries = |ui: &mut Ui| {
-            for layer in &self.offered {
+            for layer in self.offered.iter().flat_map(|(_, layers)| layers) {
                 let chosen = Some(layer).filter(|layer| **layer != Layer::PICTURE).cloned();
                 let is_shown = beside.is_none() && self.chosen == chosen;
                 let entry = ui.selectable_label(is_shown, layer.to_string());
@@ -123,10 +122,11 @@ impl ChosenLayer {
 
     /// Finds out which layers the scene has.
     fn offer(&mut self, ctx: &Context, rendering: &Rendering) {
-        if let Some(Ok((generation, layers))) = self.offering.poll() {
-            (self.offered_of, self.offered) = (Some(generation), layers);
+        if let Some(Ok(offered)) = self.offering.poll() {
+            self.offered = Some(offered);
         }
-        if self.offered_of != Some(rendering.generation) && !self.offering.is_busy() {
+        let is_known = self.offered.as_ref().is_some_and(|(of, _)| *of == rendering.generation);
+        if !is_known && !self.offering.is_busy() {
             let (world, generation) = (Arc::clone(&rendering.world), rendering.generation);
             self.offering.start(ctx, move || (generation, Layer::of_scene(&world)));
         }

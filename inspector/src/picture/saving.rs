@@ -21,25 +21,22 @@ pub enum Content {
     Picture,
     /// A layer that is found: a film of its values.
     Layer(Layer, Film),
-    /// Another film beside the picture.
-    Beside(Beside),
-}
-
-/// A film that is no layer of the scene.
-#[derive(Clone, Debug)]
-pub struct Beside {
-    /// What it is, for the file.
-    pub name: &'static str,
-    /// Its colours, for files to look at.
-    pub colors: Film,
-    /// Its values.
-    pub values: Film,
+    /// Another film, which is no layer of the scene.
+    Beside {
+        /// What it is, for the file.
+        name: &'static str,
+        /// Its colours, for files to look at.
+        colors: Film,
+        /// Its values.
+        values: Film,
+    },
 }
 
 /// The state of saving.
 #[derive(Debug, Default)]
 pub struct Saving {
-    working: Background<Result<PathBuf, String>>,
+    /// The writing of a picture.
+    pub working: Background<Result<PathBuf, String>>,
     /// The existing file that the question is about, and what is to be in it.
     asking: Option<(PathBuf, Content)>,
 }
@@ -49,7 +46,7 @@ impl Content {
         match self {
             Self::Picture => None,
             Self::Layer(layer, _) => Some(format!("layer {layer}")),
-            Self::Beside(beside) => Some(beside.name.to_owned()),
+            Self::Beside { name, .. } => Some((*name).to_owned()),
         }
     }
 
@@ -65,10 +62,10 @@ impl Content {
             Self::Layer(layer, film) => {
                 layers::encode_film(layer, film, format, (world, tone), made)
             }
-            Self::Beside(Beside { colors, .. }) if format.is_for_display() => {
-                film::encode(colors, &Tone::PLAIN, format, made)
+            Self::Beside { colors, values, .. } => {
+                let film = if format.is_for_display() { colors } else { values };
+                film::encode(film, &Tone::PLAIN, format, made)
             }
-            Self::Beside(Beside { values, .. }) => film::encode(values, &Tone::PLAIN, format, made),
         }
     }
 }
@@ -141,11 +138,6 @@ impl Saving {
     /// Whether the question is open; it then gets the keys.
     pub fn is_asking(&self) -> bool {
         self.asking.is_some()
-    }
-
-    /// Whether a picture is being written.
-    pub fn is_busy(&self) -> bool {
-        self.working.is_busy()
     }
 
     /// The message about a picture that was written, returned once, and whether it is an error.

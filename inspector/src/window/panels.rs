@@ -27,7 +27,7 @@ pub struct Fields {
     /// The file for the picture or the layer.
     pub save: String,
     /// What was proposed for it.
-    proposed: String,
+    pub proposed: String,
     /// The coordinates of a pixel.
     pub pixel: String,
 }
@@ -39,11 +39,6 @@ impl Fields {
             self.save.clone_from(&name);
         }
         self.proposed = name;
-    }
-
-    /// Forgets the name that was typed: it was for another scene.
-    pub fn forget_save(&mut self) {
-        self.save.clone_from(&self.proposed);
     }
 }
 

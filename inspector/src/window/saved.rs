@@ -30,7 +30,7 @@ pub fn content(
 ) -> Result<Content, String> {
     if let Some(beside) = theirs.and_then(|theirs| theirs.layer(rendering)) {
         let late = "the layer can be saved once it is finished".to_owned();
-        return beside.map(Content::Beside).ok_or(late);
+        return beside.ok_or(late);
     }
     match picture.layer.film() {
         None => Ok(Content::Picture),
