@@ -54,10 +54,9 @@ type Outcome = Result<Arc<Verdict>, String>;
 #[derive(Default)]
 struct Course {
     pictures: AtomicUsize,
-    /// What is known so far, once theirs was compared with ours for the first time.
-    known: Mutex<String>,
-    /// Whether explanations are tried, whose pictures come on top.
-    is_explaining: AtomicBool,
+    /// What is known so far, once theirs was compared with ours for the first time, and whether explanations are tried, whose
+    /// pictures come on top.
+    known: Mutex<(String, bool)>,
     is_stopped: AtomicBool,
 }
 
@@ -68,8 +67,7 @@ impl Course {
 
     fn note(&self, progress: Progress<'_>) {
         let is_explaining = matches!(progress, Progress::Explaining);
-        self.is_explaining.store(is_explaining, Ordering::Relaxed);
-        *self.known.lock().expect("no holder panics") = format!("; {progress}");
+        *self.known.lock().expect("no holder panics") = (format!("; {progress}"), is_explaining);
     }
 
     /// Renders a picture of ours within a slice; returns whether it was finished.
@@ -86,11 +84,11 @@ impl Course {
 
     fn words(&self) -> String {
         let rendered = self.pictures.load(Ordering::Relaxed);
-        let pictures = match self.is_explaining.load(Ordering::Relaxed) {
+        let (known, is_explaining) = &*self.known.lock().expect("no holder panics");
+        let pictures = match is_explaining {
             true => count(rendered, "picture"),
             false => format!("{rendered} of at most {} pictures", Strictness::USUAL.most()),
         };
-        let known = self.known.lock().expect("no holder panics");
         format!("{pictures} of ours{known}")
     }
 }

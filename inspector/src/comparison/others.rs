@@ -268,15 +268,12 @@ impl Others {
     pub fn set_mistake(&mut self, mistake: Option<&'static Mistake>) {
         let is_of_mistake = |entry: &Entry| matches!(entry.recipe, Some(Recipe::Mistake(_)));
         let at = self.entries.iter().position(is_of_mistake);
+        at.into_iter().for_each(|at| self.choose(at));
         match (at, mistake.map(Recipe::Mistake)) {
             (None, None) => {}
             (None, Some(recipe)) => self.add(recipe),
-            (Some(at), None) => {
-                self.choose(at);
-                self.let_go();
-            }
+            (Some(_), None) => self.let_go(),
             (Some(at), Some(recipe)) => {
-                self.choose(at);
                 let number = self.number();
                 self.entries[at] =
                     Entry { number, recipe: Some(recipe), made_beside: None, theirs: None };

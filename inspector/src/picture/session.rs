@@ -32,11 +32,14 @@ pub struct Session {
     pub what: (String, bool),
     /// Whether the scene was changed again while it was built.
     is_due: bool,
-    /// The scenes and seeds before and after the present one, to which undo and redo lead.
-    changes: [Vec<(Arc<Scene>, u64)>; 2],
+    /// The states before and after the present one, to which undo and redo lead.
+    changes: [Vec<State>; 2],
     /// Where the mouse was pressed for the last change: a drag is undone at once.
     pressed: Option<Pos2>,
 }
+
+/// A scene and its seed.
+type State = (Arc<Scene>, u64);
 
 /// The relation of a scene that was opened to the one before it.
 pub struct Opened {
@@ -96,7 +99,7 @@ impl Session {
         self.loading.start(ctx, move || built.changed(scene, seed).map(Loaded::from));
     }
 
-    fn present(&self) -> (Arc<Scene>, u64) {
+    fn present(&self) -> State {
         (Arc::clone(&self.rendering.scene), self.rendering.world.seed)
     }
 
@@ -111,7 +114,8 @@ impl Session {
         let [past, future] = &mut self.changes;
         let [from, to] = if again { [future, past] } else { [past, future] };
         // a change that could not be built led to no other scene
-        let other = from.iter().rposition(|it| !is_same(it, &present));
+        let is_other = |it: &State| !Arc::ptr_eq(&it.0, &present.0) || it.1 != present.1;
+        let other = from.iter().rposition(is_other);
         from.truncate(other.map_or(0, |at| at + 1));
         if let Some((scene, seed)) = from.pop() {
             to.push(present);
@@ -168,8 +172,4 @@ impl Session {
             asked: waited.filter(|_| is_same_source).and_then(|broken| broken.asked),
         }
     }
-}
-
-fn is_same(a: &(Arc<Scene>, u64), b: &(Arc<Scene>, u64)) -> bool {
-    Arc::ptr_eq(&a.0, &b.0) && a.1 == b.1
 }

@@ -11,12 +11,11 @@ use std::time::Duration;
 use eframe::egui::{Context, DroppedFileHandle};
 use groundtruth::film;
 pub use groundtruth::render::watched;
-use groundtruth::scene::Scene;
 use pictures::compare::{Picture, Transfer};
 use rayon::ThreadPoolBuilder;
 use rays::{Log, LogError};
 use rfd::{AsyncFileDialog, FileHandle};
-use scenefile::SceneError;
+pub use scenefile::open as open_scene;
 
 use super::{FORMATS, LOGS, Purpose, Slice};
 
@@ -54,14 +53,6 @@ impl Task {
 /// As [`Receiver::recv_timeout`].
 pub fn wait<T>(receiver: &Receiver<T>, timeout: Duration) -> Result<T, RecvTimeoutError> {
     receiver.recv_timeout(timeout)
-}
-
-/// Reads a scene file.
-///
-/// # Errors
-/// As [`scenefile::open`].
-pub fn open_scene(path: &Path) -> Result<(Scene, scenefile::Source), SceneError> {
-    scenefile::open(path)
 }
 
 /// Reads a picture.

@@ -43,15 +43,12 @@ impl Change {
             _ if is_text => Value::String(self.value.clone()),
             _ => return Err(format!("\"{}\" is no value of a scene file", self.value)),
         };
-        scenefile::parse(table.to_string(), Path::new("")).map(|(scene, _)| scene).map_err(
-            |error| {
-                // without the line, which is of a text that nobody sees
-                match error {
-                    SceneError::Invalid { invalid, .. } => format!("{self}: {invalid}"),
-                    other => format!("{self}: {other}"),
-                }
-            },
-        )
+        let parsed = scenefile::parse(table.to_string(), Path::new(""));
+        parsed.map(|(scene, _)| scene).map_err(|error| match error {
+            // without the line, which is of a text that nobody sees
+            SceneError::Invalid { invalid, .. } => format!("{self}: {invalid}"),
+            other => format!("{self}: {other}"),
+        })
     }
 }
 

@@ -34,6 +34,7 @@ const LARGEST: f32 = 2.0;
 /// Sets text with contrast to its ground, which is dark at first, and scroll bars beside their content, not over it.
 pub fn set_style(ctx: &Context) {
     Ground::default().set(ctx);
+    ctx.all_styles_mut(set_spacing);
     ctx.style_mut_of(Theme::Dark, |style| {
         let widgets = &mut style.visuals.widgets;
         widgets.noninteractive.fg_stroke.color = Color32::from_gray(215);
@@ -43,7 +44,6 @@ pub fn set_style(ctx: &Context) {
         style.visuals.weak_text_color = Some(Color32::from_gray(165));
         style.visuals.selection.bg_fill = Color32::from_rgb(0, 52, 78);
         style.visuals.error_fg_color = Color32::from_rgb(255, 120, 110);
-        set_spacing(style);
     });
     ctx.style_mut_of(Theme::Light, |style| {
         let widgets = &mut style.visuals.widgets;
@@ -54,7 +54,6 @@ pub fn set_style(ctx: &Context) {
         style.visuals.warn_fg_color = Color32::from_rgb(140, 65, 0);
         style.visuals.hyperlink_color = Color32::from_rgb(0, 90, 170);
         style.visuals.selection.bg_fill = Color32::from_rgb(200, 228, 255);
-        set_spacing(style);
     });
 }
 
