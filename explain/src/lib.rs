@@ -26,14 +26,14 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::trace::{RayBudget, TermSource, TooManyRays};
 use groundtruth::world::World;
-use sources::{SampleSums, SourceRecorder};
+use sources::SourceRecorder;
 
 pub use formula::{Formula, MISTAKEN};
 pub use lines::{quoted, unblocked};
 pub use omissions::omissions;
 pub use optics::Optics;
 pub use outline::{Outline, Row};
-pub use page::table;
+pub use page::{Shown, table};
 pub use sources::{Source, SourceExplanation, Sources, Sums};
 pub use tree::{RayTree, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture};
 pub use unlit::{Unlit, UnlitLight, lines};
@@ -122,33 +122,35 @@ pub fn pixel(
 ) -> Result<PixelExplanation, TooManyRays> {
     let world = renderer.world();
     let mut budget = RayBudget::up_to(MAX_RAYS);
-    let (mut samples, mut sums) = (Vec::new(), SampleSums::default());
+    let (mut samples, mut radiances) = (Vec::new(), Vec::new());
+    let [mut by_entry, mut by_first_hit] = [Vec::new(), Vec::new()];
     for index in 0..world.samples_per_pixel() {
-        let (sources, budget) = (SourceRecorder::of(world), &mut budget);
+        let (mut sources, budget) = (SourceRecorder::of(world), &mut budget);
         let (radiance, sources, tree) = if only.is_none_or(|only| only == index) {
             let mut both = (sources, RayTree::of(world));
             let radiance = renderer.sample(pixel, index, &mut both, budget);
             (radiance, both.0, Some(both.1))
         } else {
-            let mut sources = sources;
-            let radiance = renderer.sample(pixel, index, &mut sources, budget);
-            (radiance, sources, None)
+            (renderer.sample(pixel, index, &mut sources, budget), sources, None)
         };
         budget.check(|| format!("pixel ({}, {})", pixel[0], pixel[1]))?;
         let camera = render::camera_sample(world, pixel, index);
         let weight = camera.as_ref().map_or(0.0, |camera| camera.weight);
-        sums.add(radiance, sources, weight);
+        let [entry, first_hit] = sources.weighed(weight);
+        by_entry.push(entry);
+        by_first_hit.push(first_hit);
+        radiances.push(radiance);
         samples.extend(tree.map(|tree| explained((scene, world), camera, index, radiance, tree)));
     }
-    let (radiances, sources) = sums.explained(world);
+    let exposure_time = world.view.exposure_time;
     Ok(PixelExplanation {
         pixel,
         notes: notes(scene, world),
         samples_per_pixel: world.samples_per_pixel(),
-        exposure_time: world.view.exposure_time,
+        exposure_time,
         samples,
         statistics: Statistics::of(&radiances),
-        sources,
+        sources: Sources::of([&by_entry, &by_first_hit], exposure_time),
         radiance: render::expose(world, radiances.iter().copied()),
         radiances,
     })

@@ -57,21 +57,18 @@ impl RecordedRay {
 
     /// Its numbers and terms, a line each; with `formulas`, that of each term in a line below it.
     pub fn details(&self, formulas: bool) -> Vec<String> {
-        let mut lines = {
-            let (origin, direction) = (self.ray.origin.to_array(), self.ray.direction.to_array());
-            vec![format!("from {origin:?} towards {direction:?}")]
-        };
+        let (origin, direction) = (self.ray.origin.to_array(), self.ray.direction.to_array());
+        let mut lines = vec![format!("from {origin:?} towards {direction:?}")];
         if let Some(hit) = &self.hit {
             lines.extend(hit.lines());
         }
-        let is_shadow = matches!(self.kind, RayKind::Shadow { .. });
-        if !is_shadow {
+        if !self.is_shadow() {
             let (weight, radiance) = (short(self.weight), short(self.radiance));
             lines.push(format!("weight {weight}  radiance {radiance}"));
         }
         // of a shadow ray only what is lost: its light stands in the term that it belongs to
         let terms = self.terms.iter().filter(|term| {
-            !is_shadow || term.weight != Rgb::WHITE || self.transmittance != Rgb::WHITE
+            !self.is_shadow() || term.weight != Rgb::WHITE || self.transmittance != Rgb::WHITE
         });
         for term in terms {
             lines.push(format!("  {}", term.line()));
@@ -93,18 +90,10 @@ impl RecordedHit {
         if !self.path.is_empty() {
             lines.push(self.path.to_string());
         }
-        lines.extend([
-            format!(
-                "at {:?}, {side}, material \"{}\"",
-                self.point.to_array(),
-                name(&self.material)
-            ),
-            format!(
-                "normal {:?}, angle of incidence {}°",
-                self.normal.to_array(),
-                brief(self.angle_of_incidence)
-            ),
-        ]);
+        let (point, material) = (self.point.to_array(), name(&self.material));
+        lines.push(format!("at {point:?}, {side}, material \"{material}\""));
+        let (normal, angle) = (self.normal.to_array(), brief(self.angle_of_incidence));
+        lines.push(format!("normal {normal:?}, angle of incidence {angle}°"));
         if self.shading_normal != self.normal {
             lines.push(format!("shading normal {:?}", self.shading_normal.to_array()));
         }

@@ -3,8 +3,6 @@
 
 use std::collections::BTreeSet;
 
-use groundtruth::trace::RayKind;
-
 use super::tree::{RecordedRay, RecordedTerm};
 
 /// Smaller trees are shown whole.
@@ -95,17 +93,14 @@ impl Outline {
         }
         let below = indent + 1;
         let local = ray.terms.iter().filter(|term| term.ray.is_none() && !term.value.is_black());
-        let local = local.filter(|term| !is_shadow(ray) && term.share >= min_share);
+        let local = local.filter(|term| !ray.is_shadow() && term.share >= min_share);
         rows.extend(local.map(|term| Row::Local { term, indent: below }));
         let small = |child: &&RecordedRay| child.share < min_share;
         let rays: usize = ray.children.iter().filter(small).map(RecordedRay::count).sum();
         // folding a single ray saves no line
         let fold = rays > 1 && !self.unfolded.contains(&ray.number);
-        let (shadows, onward): (Vec<_>, Vec<_>) = ray
-            .children
-            .iter()
-            .filter(|child| !(fold && small(child)))
-            .partition(|ray| is_shadow(ray));
+        let shown = ray.children.iter().filter(|child| !(fold && small(child)));
+        let (shadows, onward): (Vec<_>, Vec<_>) = shown.partition(|child| child.is_shadow());
         for child in shadows {
             self.add(child, ray.term_of(child), below, min_share, rows);
         }
@@ -119,10 +114,6 @@ impl Outline {
             self.add(child, ray.term_of(child), indent, min_share, rows);
         }
     }
-}
-
-fn is_shadow(ray: &RecordedRay) -> bool {
-    matches!(ray.kind, RayKind::Shadow { .. })
 }
 
 impl RecordedRay {

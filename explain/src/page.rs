@@ -10,30 +10,20 @@ use super::{
     Sources,
 };
 
-/// What of a tree is shown.
-#[derive(Clone, Copy)]
-struct Shown {
+/// What of the trees is shown.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shown {
     /// Rays that add a smaller part of their sample are folded.
-    min_share: f64,
+    pub min_share: f64,
     /// Whether only the path that carries most light is shown.
-    largest: bool,
-    /// Whether the terms have their formulas.
-    formulas: bool,
+    pub largest: bool,
+    /// Whether each term has its formula, in the book's letters and with its numbers.
+    pub formulas: bool,
 }
 
 impl PixelExplanation {
-    /// The explanation as text; rays that add less than `min_share` of their sample are folded.
-    /// With `largest` only the path that carries most light is shown.
-    pub fn text(&self, min_share: f64, largest: bool) -> String {
-        self.written(Shown { min_share, largest, formulas: false })
-    }
-
-    /// The same text with the formula of each term, in the book's letters and with its numbers.
-    pub fn text_with_formulas(&self, min_share: f64, largest: bool) -> String {
-        self.written(Shown { min_share, largest, formulas: true })
-    }
-
-    fn written(&self, shown: Shown) -> String {
+    /// The explanation as text.
+    pub fn text(&self, shown: Shown) -> String {
         let mut text = String::new();
         self.write(&mut text, shown).expect("a string takes everything");
         text
@@ -66,13 +56,11 @@ impl PixelExplanation {
             writeln!(f, "samples: least {least}, greatest {greatest}, standard error {error}")?;
         }
         for (words, sources) in self.sources.lists() {
-            writeln!(f)?;
-            writeln!(f, "{words}")?;
+            writeln!(f, "\n{words}")?;
             table(sources).iter().try_for_each(|line| writeln!(f, "  {line}"))?;
         }
-        writeln!(f)?;
         let radiance = self.radiance.to_array();
-        writeln!(f, "the pixel is the mean of {count}{exposure}: {radiance:?}")
+        writeln!(f, "\nthe pixel is the mean of {count}{exposure}: {radiance:?}")
     }
 }
 
@@ -138,13 +126,9 @@ impl SampleExplanation {
                 write_rows(f, &rows, shown.formulas)?;
             }
         }
-        if !self.complete {
-            writeln!(
-                f,
-                "(cut off: the tree has more rays; a smaller max_depth makes a smaller one)"
-            )?;
-        }
-        Ok(())
+        const CUT: &str =
+            "(cut off: the tree has more rays; a smaller max_depth makes a smaller one)";
+        if self.complete { Ok(()) } else { writeln!(f, "{CUT}") }
     }
 }
 
@@ -170,12 +154,8 @@ fn write_rows(f: &mut String, rows: &[Row<'_>], formulas: bool) -> fmt::Result {
             Row::Local { .. } => {}
             Row::Folded { parent, indent, rays, share } => {
                 let pad = "    ".repeat(*indent);
-                let rays = count(*rays, "more ray");
-                writeln!(
-                    f,
-                    "{:>7}  {pad}{rays} from {parent} (--min-share 0 shows all)",
-                    percent(*share)
-                )?;
+                let (share, rays) = (percent(*share), count(*rays, "more ray"));
+                writeln!(f, "{share:>7}  {pad}{rays} from {parent} (--min-share 0 shows all)")?;
             }
         }
     }

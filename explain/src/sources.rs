@@ -61,30 +61,6 @@ pub struct SourceExplanation {
     pub standard_deviation: Option<Rgb>,
 }
 
-/// The radiances of the samples of a pixel, and the contribution of each source to each.
-#[derive(Default)]
-pub(super) struct SampleSums {
-    radiances: Vec<Rgb>,
-    by_entry: Vec<Sums>,
-    by_first_hit: Vec<Sums>,
-}
-
-impl SampleSums {
-    /// Adds a sample with this weight from the filter.
-    pub(super) fn add(&mut self, radiance: Rgb, sources: SourceRecorder, weight: f64) {
-        let weight = Rgb::grey(weight);
-        self.radiances.push(radiance);
-        self.by_entry.push(sources.finished.times(weight));
-        self.by_first_hit.push(sources.first_hit.times(weight));
-    }
-
-    /// The radiances, and the contributions to the pixel.
-    pub(super) fn explained(self, world: &World) -> (Vec<Rgb>, Sources) {
-        let time = world.view.exposure_time;
-        (self.radiances, Sources::of([&self.by_entry, &self.by_first_hit], time))
-    }
-}
-
 impl Sources {
     /// What the samples have by entry and by first hit, times the exposure time.
     pub fn of(samples: [&[Sums]; 2], exposure_time: f64) -> Self {
@@ -170,6 +146,11 @@ impl SourceRecorder {
     pub(super) fn of(world: &World) -> Self {
         let [finished, first_hit] = [Sums::default(), Sums::default()];
         Self { names: Arc::clone(&world.names), open: Vec::new(), finished, first_hit }
+    }
+
+    /// What a sample has by entry and by first hit, with this weight from the filter.
+    pub(super) fn weighed(self, weight: f64) -> [Sums; 2] {
+        [self.finished, self.first_hit].map(|sums| sums.times(Rgb::grey(weight)))
     }
 }
 

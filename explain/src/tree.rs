@@ -214,6 +214,16 @@ impl RecordedRay {
         rays
     }
 
+    /// Whether it looks for what is in the way to a light.
+    pub fn is_shadow(&self) -> bool {
+        matches!(self.kind, RayKind::Shadow { .. })
+    }
+
+    /// Whether it was cast: a limit may have come before.
+    pub fn is_cast(&self) -> bool {
+        !matches!(self.outcome, Outcome::TooDeep | Outcome::OverBudget)
+    }
+
     /// The child of this number.
     pub fn child(&self, number: usize) -> Option<&Self> {
         self.children.iter().find(|child| child.number == number)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::{Outcome, RayKind, TermSource};
+use groundtruth::trace::{Outcome, TermSource};
 use serde::Serialize;
 use text::brief::brief;
 
@@ -186,7 +186,7 @@ impl Explaining<'_> {
     /// One sentence about a ray, not a shadow ray, that brings no light: the first factor of each
     /// of its terms that is 0.
     pub(super) fn black(&self, ray: &RecordedRay) -> Option<String> {
-        if !ray.radiance.is_black() || matches!(ray.kind, RayKind::Shadow { .. }) {
+        if !ray.radiance.is_black() || ray.is_shadow() {
             return None;
         }
         let terms: Rgb = ray.terms.iter().map(|term| term.value).sum();

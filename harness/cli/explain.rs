@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use explain::PixelExplanation;
+use explain::{PixelExplanation, Shown};
 use groundtruth::film::Provenance;
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
@@ -143,10 +143,8 @@ impl Explain {
             return Ok(Exit::Yes);
         }
         let min_share = self.min_share / 100.0;
-        let text = match self.formulas {
-            true => explanation.text_with_formulas(min_share, self.largest),
-            false => explanation.text(min_share, self.largest),
-        };
+        let (largest, formulas) = (self.largest, self.formulas);
+        let text = explanation.text(Shown { min_share, largest, formulas });
         match self.columns {
             Some(columns) => print(&wrapped(&text, columns)),
             None => print(&text),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::Path;
 
-use explain::PixelExplanation;
+use explain::{PixelExplanation, Shown};
 use groundtruth::world::{DEFAULT_SEED, World};
 use text::document::*;
 use text::html::{CARD, page};
@@ -69,7 +69,8 @@ fn explained(task: &Task, pixel: [u32; 2]) -> Result<[String; 2], Box<dyn Error>
     });
     let most = (0..).zip(changes).max_by(|a, b| a.1.total_cmp(&b.1));
     let most = most.map(|(index, _)| index);
-    Ok(explained(most)?.map(|it| it.text(0.01, true)))
+    let shown = Shown { min_share: 0.01, largest: true, formulas: false };
+    Ok(explained(most)?.map(|it| it.text(shown)))
 }
 
 /// A text, with its lines that another one lacks marked.

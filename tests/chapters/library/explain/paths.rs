@@ -55,16 +55,12 @@ fn paths(scene: &Scene) -> Vec<RecordedRay> {
     samples.into_iter().filter_map(|sample| sample.ray).collect()
 }
 
-fn is_shadow(ray: &RecordedRay) -> bool {
-    matches!(ray.kind, RayKind::Shadow { .. })
-}
-
 /// The continuing rays of a path. Each comes with its parent, whose hit sent it, and with the parent's term
 /// that receives its light: (parent, term, ray).
 fn bounces(root: &RecordedRay) -> Vec<(&RecordedRay, &RecordedTerm, &RecordedRay)> {
     let mut bounces = Vec::new();
     for hit in all(root) {
-        for ray in hit.children.iter().filter(|ray| !is_shadow(ray)) {
+        for ray in hit.children.iter().filter(|ray| !ray.is_shadow()) {
             let mut terms = hit.terms.iter();
             let term = terms.find(|term| term.ray == Some(ray.number)).expect("its light counts");
             bounces.push((hit, term, ray));
@@ -158,7 +154,7 @@ fn mis_shares_are_those_of_the_densities() {
                 assert_eq!(term.weight, Rgb::grey(mis));
                 met += 1;
             }
-            let shadows = hit.children.iter().filter(|ray| is_shadow(ray));
+            let shadows = hit.children.iter().filter(|ray| ray.is_shadow());
             for (term, shadow) in hit.terms.iter().zip(shadows) {
                 let TermSource::Direct { pdf, mis, .. } = term.source else { continue };
                 let direction = shadow.ray.direction.unit().expect("it has one");
