@@ -2,7 +2,7 @@
 
 use groundtruth::lobes::Lobes;
 use groundtruth::materials::Response;
-use groundtruth::math::{Frame, Ray, Span, Vector};
+use groundtruth::math::{Frame, Point, Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::world::{Hit, World};
 
@@ -14,8 +14,8 @@ const MAX_SURFACES: usize = 24;
 const GRAZING: f64 = 0.3;
 /// The colour of surfaces that let light through.
 const GLASS: Rgb = Rgb::new(0.6, 0.75, 0.8);
-/// Where no surface is.
-const EMPTY: Rgb = Rgb::grey(0.012);
+/// A surface this close before a point does not hide it, as a part of the distance to the eye: the point lies on it.
+const CLOSE: f64 = 1e-5;
 
 /// The scene lit by a lamp at the eye: every side of it can be seen, whatever its own lights are. One looks through
 /// the surfaces of transparent materials and of faded objects.
@@ -28,13 +28,9 @@ pub struct Backdrop<'a> {
 }
 
 impl Backdrop<'_> {
-    /// The radiance along a ray, from 0 to 1, and the index of the first object that it meets, looked through or not.
-    pub fn seen(&self, ray: &Ray) -> (Rgb, Option<u32>) {
-        self.seen_before(ray, EMPTY)
-    }
-
-    /// The same with another colour where no surface is.
-    pub fn seen_before(&self, ray: &Ray, empty: Rgb) -> (Rgb, Option<u32>) {
+    /// The radiance along a ray, from 0 to 1, with this colour where no surface is; and the index of the first object that it
+    /// meets, looked through or not.
+    pub fn seen(&self, ray: &Ray, empty: Rgb) -> (Rgb, Option<u32>) {
         let (mut ray, mut color, mut left, mut object) = (*ray, Rgb::BLACK, 1.0, None);
         for _ in 0..MAX_SURFACES {
             let Some(hit) = self.world.hit(&ray, Span::AHEAD) else { break };
@@ -51,9 +47,10 @@ impl Backdrop<'_> {
         (color + left * empty, object)
     }
 
-    /// The first hit of a surface that is not looked through.
-    pub fn first_opaque(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
-        let (mut ray, mut span) = (*ray, span);
+    /// The first surface between an eye and a point that is not looked through.
+    pub fn hides(&self, eye: Point, point: Point) -> Option<Hit<'_>> {
+        let mut ray = Ray::new(eye, point - eye);
+        let mut span = Span { min: 0.0, max: 1.0 - CLOSE };
         for _ in 0..MAX_SURFACES {
             let hit = self.world.hit(&ray, span)?;
             if !self.is_faded(&hit) {
@@ -63,6 +60,22 @@ impl Backdrop<'_> {
             ray.origin = hit.surface.leave(ray.direction);
         }
         None
+    }
+
+    /// Divides a segment into `pieces` equal ones and returns the runs of those that are hidden from an eye and of those that
+    /// are not, as parts of its length from 0 to 1; a piece is hidden if its middle is.
+    pub fn runs(&self, eye: Point, from: Point, to: Point, pieces: u32) -> Vec<([f64; 2], bool)> {
+        let mut runs: Vec<([f64; 2], bool)> = Vec::new();
+        let at = |piece: u32| f64::from(piece) / f64::from(pieces);
+        for piece in 0..pieces {
+            let [start, end] = [at(piece), at(piece + 1)];
+            let hidden = self.hides(eye, from + 0.5 * (start + end) * (to - from)).is_some();
+            match runs.last_mut() {
+                Some((run, was_hidden)) if *was_hidden == hidden => run[1] = end,
+                _ => runs.push(([start, end], hidden)),
+            }
+        }
+        runs
     }
 
     fn is_faded(&self, hit: &Hit<'_>) -> bool {
@@ -91,11 +104,8 @@ fn lit(hit: &Hit<'_>, ray: &Ray, cosine: f64) -> Rgb {
     let mut response = Response::default();
     let at = hit.texture_point();
     hit.material.recipe.respond(&at, cosine, &mut response);
-    let shining = hit
-        .material
-        .recipe
-        .emission()
-        .map_or(Rgb::BLACK, |emission| emission.radiance(&at, cosine));
+    let emission = hit.material.recipe.emission();
+    let shining = emission.map_or(Rgb::BLACK, |emission| emission.radiance(&at, cosine));
     let direction = ray.direction.unit().unwrap_or_default();
     let wo = Frame::around(normal).to_local(-direction);
     let own = albedo(&response.lobes, wo) + shining;

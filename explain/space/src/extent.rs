@@ -11,7 +11,9 @@ pub fn of_scene(world: &World) -> (Point, f64) {
     let bounds = world.objects().iter().map(|object| object.shape.bounds());
     let objects = bounds.filter(Aabb::is_bounded).fold(Aabb::EMPTY, Aabb::union);
     let eyes = Aabb::around(world.view.eyes().iter().map(|eye| eye.position()));
-    ball(objects.union(eyes))
+    let bounds = objects.union(eyes);
+    let radius = 0.5 * bounds.extent().length();
+    (bounds.center(), if radius > 0.0 { radius } else { 1.0 })
 }
 
 /// The ball around what the rays of a tree meet: the points that they hit, and the objects there that are not much larger
@@ -33,18 +35,3 @@ pub fn of_hits(world: &World, segments: &[Segment]) -> Option<(Point, f64)> {
 
 /// The least radius of the ball around what rays meet, in lengths of the longest of them.
 const OF_RAYS: f64 = 0.12;
-
-/// The ball around pieces of rays, but for the ends of those that leave the scene.
-pub fn of_segments(segments: &[Segment]) -> Option<(Point, f64)> {
-    let ends = |segment: &Segment| {
-        let to = (segment.end != End::Leaves).then_some(segment.to);
-        [Some(segment.from), to].into_iter().flatten()
-    };
-    let bounds = Aabb::around(segments.iter().flat_map(ends));
-    bounds.is_bounded().then(|| ball(bounds))
-}
-
-fn ball(bounds: Aabb) -> (Point, f64) {
-    let radius = 0.5 * bounds.extent().length();
-    (bounds.center(), if radius > 0.0 { radius } else { 1.0 })
-}

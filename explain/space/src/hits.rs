@@ -6,33 +6,19 @@ use groundtruth::world::{Hit, PlacedObject, World};
 /// The most hits of a ray.
 const MAX_HITS: usize = 64;
 
-/// The hits of an object along a ray in ascending order, each with its t, as if the object were alone. Each is the first
-/// hit of what is left of the ray, which a shape of many parts finds faster than all at once.
-pub struct Hits<'a> {
+/// The hits of an object along a ray in ascending order, each with its t, as if the object were alone; at most 64. Each is the
+/// first hit of what is left of the ray, which a shape of many parts finds faster than all at once.
+pub fn hits<'a>(
     world: &'a World,
     object: &'a PlacedObject,
-    /// What is left of the ray.
-    ray: Ray,
-    /// Where it begins.
-    start: f64,
-    left: usize,
-}
-
-impl<'a> Hits<'a> {
-    /// The hits of a ray, at most 64.
-    pub fn of(world: &'a World, object: &'a PlacedObject, ray: Ray) -> Self {
-        Self { world, object, ray, start: 0.0, left: MAX_HITS }
-    }
-}
-
-impl<'a> Iterator for Hits<'a> {
-    type Item = (f64, Hit<'a>);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        self.left = self.left.checked_sub(1)?;
-        let hit = self.world.hit_of(self.object, &self.ray, Span::AHEAD)?;
-        self.start += hit.t;
-        self.ray.origin = hit.surface.leave(self.ray.direction);
-        Some((self.start, hit))
-    }
+    mut ray: Ray,
+) -> impl Iterator<Item = (f64, Hit<'a>)> {
+    let mut start = 0.0;
+    let next = move || {
+        let hit = world.hit_of(object, &ray, Span::AHEAD)?;
+        start += hit.t;
+        ray.origin = hit.surface.leave(ray.direction);
+        Some((start, hit))
+    };
+    std::iter::from_fn(next).take(MAX_HITS)
 }

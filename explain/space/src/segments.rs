@@ -34,6 +34,12 @@ pub enum End {
     Dark,
 }
 
+impl Segment {
+    pub(crate) fn middle(&self) -> Point {
+        self.from + 0.5 * (self.to - self.from)
+    }
+}
+
 /// The pieces of all rays of a tree, in the order of their numbers; a ray that was not cast has none. A ray
 /// that leaves is `reach` long, in world units.
 pub fn segments(world: &World, root: &RecordedRay, reach: f64) -> Vec<Segment> {

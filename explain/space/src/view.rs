@@ -5,14 +5,14 @@ use std::fmt::Write;
 
 use explain::RecordedRay;
 use groundtruth::film::{Film, Tone, data_uri};
-use groundtruth::math::{Ray, Span, Vector};
+use groundtruth::math::Vector;
 use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
 use super::{
-    Backdrop, End, Orbit, Role, Section, Segment, Sight, Visibility, arrowhead, ink, of_hits,
-    of_scene, segments,
+    Backdrop, End, Orbit, Role, Section, Segment, Sight, arrowhead, ink, of_hits, of_scene,
+    segments,
 };
 
 /// Width and height of the picture, in its own units.
@@ -44,10 +44,10 @@ pub fn orbit_of(world: &World, root: &RecordedRay) -> Orbit {
     let section = Section::first(root).and_then(|ray| Section::of(world, root, ray));
     let across = section.map_or(Vector::Z, |section| section.plane.normal());
     let sides = [across, -across].map(|side| Orbit::from_side(ball, side + ABOVE * Vector::Y));
+    let backdrop = Backdrop { world, faded: &[] };
     let hidden = sides.map(|orbit| {
-        let visibility = Visibility::of(world, orbit.sight(SIZE).eye);
-        let some = pieces.iter().take(SAMPLED);
-        some.filter(|it| visibility.is_hidden(it.from + 0.5 * (it.to - it.from))).count()
+        let eye = orbit.sight(SIZE).eye;
+        pieces.iter().take(SAMPLED).filter(|it| backdrop.hides(eye, it.middle()).is_some()).count()
     });
     if hidden[1] < hidden[0] { sides[1] } else { sides[0] }
 }
@@ -63,10 +63,7 @@ pub fn hiding(world: &World, root: &RecordedRay, orbit: &Orbit) -> Vec<u32> {
         let mut counts: BTreeMap<u32, usize> = BTreeMap::new();
         let backdrop = Backdrop { world, faded: &faded };
         for piece in sampled {
-            let way = piece.from + 0.5 * (piece.to - piece.from) - eye;
-            // a point on a surface is not hidden by it
-            let span = Span { min: 0.0, max: 1.0 - 1e-5 };
-            if let Some(hit) = backdrop.first_opaque(&Ray::new(eye, way), span) {
+            if let Some(hit) = backdrop.hides(eye, piece.middle()) {
                 *counts.entry(hit.object.index).or_default() += 1;
             }
         }
@@ -87,7 +84,7 @@ const ABOVE: f64 = 0.35;
 /// What is drawn of a tree.
 struct View<'a> {
     sight: Sight,
-    visibility: Visibility<'a>,
+    backdrop: Backdrop<'a>,
     /// By their numbers.
     rays: BTreeMap<usize, &'a RecordedRay>,
 }
@@ -98,7 +95,6 @@ struct View<'a> {
 pub fn svg_of_rays(world: &World, root: &RecordedRay, orbit: &Orbit, faded: &[u32]) -> String {
     let sight = orbit.sight(SIZE);
     let backdrop = Backdrop { world, faded };
-    let visibility = Visibility { backdrop, eye: sight.eye };
     let rays: BTreeMap<usize, &RecordedRay> =
         root.rays().into_iter().map(|ray| (ray.number, ray)).collect();
     let mut pieces = segments(world, root, 8.0 * orbit.distance);
@@ -109,7 +105,7 @@ pub fn svg_of_rays(world: &World, root: &RecordedRay, orbit: &Orbit, faded: &[u3
         pieces.truncate(MAX_PIECES);
         pieces.sort_by_key(|piece| piece.ray);
     }
-    let view = View { sight, visibility, rays };
+    let view = View { sight, backdrop, rays };
     let [width, height] = SIZE;
     let background = data_uri(&backdrop_film(&backdrop, &sight), &Tone::PLAIN);
     let mut svg = format!(
@@ -139,7 +135,7 @@ fn backdrop_film(backdrop: &Backdrop<'_>, sight: &Sight) -> Film {
     let look = |index: u32| {
         let [x, y] = [index % columns, index / columns].map(|it| block * (f64::from(it) + 0.5));
         let ray = sight.ray([x, y]);
-        let (color, object) = backdrop.seen_before(&ray, Rgb::WHITE);
+        let (color, object) = backdrop.seen(&ray, Rgb::WHITE);
         (object, pale(color))
     };
     let seen: Vec<(Option<u32>, Rgb)> = (0..columns * rows).into_par_iter().map(look).collect();
@@ -171,7 +167,7 @@ impl View<'_> {
         let [from, to] = [first, last].map(|part| piece.from + part * way);
         let dashes = if role == Role::Dark { " stroke-dasharray=\"3 6\"" } else { "" };
         let _ = writeln!(svg, "<g data-ray=\"{}\" stroke=\"{ink}\" fill=\"{ink}\">", piece.ray);
-        for ([a, b], is_hidden) in self.visibility.runs(from, to, PARTS) {
+        for ([a, b], is_hidden) in self.backdrop.runs(self.sight.eye, from, to, PARTS) {
             let ends = [a, b].map(|part| self.sight.project(from + part * (to - from)));
             let [Some([x1, y1]), Some([x2, y2])] = ends else { continue };
             let opacity = if is_hidden { 0.25 } else { 1.0 };

@@ -2,7 +2,6 @@
 
 use explain::RecordedRay;
 use groundtruth::math::{cos_degrees, sin_degrees};
-use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use space::{Drawing, Label, Role, Section, Stroke, obj, orbit_of, segments, svg_of_rays};
 
@@ -68,7 +67,7 @@ fn rays_in_a_file_read_as_before() {
 
 /// The sections of the rays of a tree that are no shadow rays.
 fn sections(name: &str, (world, root): (&World, &RecordedRay), text: &mut String) {
-    for ray in root.rays().iter().filter(|it| !matches!(it.kind, RayKind::Shadow { .. })) {
+    for ray in root.rays().iter().filter(|it| !it.is_shadow()) {
         let Some(section) = Section::of(world, root, ray.number) else { continue };
         *text += &format!("== {name}, ray {}\n{}\n", ray.number, shortened(&section.drawing.svg()));
     }

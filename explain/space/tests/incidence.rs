@@ -2,7 +2,6 @@
 
 use explain::{RecordedHit, RecordedRay};
 use groundtruth::math::{Point, Vector};
-use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use space::Section;
 
@@ -12,10 +11,6 @@ use super::support::{WHITE, block, built, light, object, traced};
 
 /// Of a length: products of a few rounded numbers.
 const ROUNDING: f64 = 1e-9;
-
-fn is_shadow(ray: &RecordedRay) -> bool {
-    matches!(ray.kind, RayKind::Shadow { .. })
-}
 
 /// Mirrors of meshes with smooth normals, which leave the plane of incidence.
 fn smooth() -> Vec<(&'static str, World, RecordedRay)> {
@@ -42,7 +37,7 @@ fn all() -> Vec<(&'static str, World, RecordedRay)> {
 /// Each ray of a tree that hits something, but for shadow rays: the tree's name, the ray, its hit and its section.
 fn each(mut look: impl FnMut(&str, &RecordedRay, &RecordedHit, &Section)) {
     for (name, world, root) in all() {
-        for ray in root.rays().into_iter().filter(|ray| !is_shadow(ray)) {
+        for ray in root.rays().into_iter().filter(|ray| !ray.is_shadow()) {
             let Some(hit) = &ray.hit else { continue };
             let section = Section::of(&world, &root, ray.number).expect("it hits");
             look(name, ray, hit, &section);

@@ -1,8 +1,9 @@
 //! What is hidden, and the backdrop, against closed forms.
 
 use groundtruth::math::{Point, Ray, Vector};
+use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
-use space::{Backdrop, Visibility};
+use space::Backdrop;
 
 use super::support::{FRONT, built, object};
 use super::why_not::BALL;
@@ -21,7 +22,7 @@ pub const MATTE: &str = "matte = { kd = 1, cd = [0.75, 0.25, 0] }";
 fn a_point_is_hidden_if_its_way_to_the_eye_is_blocked() {
     let world = ball(MATTE);
     let eye = Point::new(0.0, 0.0, 5.0);
-    let seen = Visibility::of(&world, eye);
+    let is_hidden = |point| Backdrop { world: &world, faded: &[] }.hides(eye, point).is_some();
     let mut hidden = 0;
     for x in -12..=12 {
         for z in -12..=12 {
@@ -32,14 +33,14 @@ fn a_point_is_hidden_if_its_way_to_the_eye_is_blocked() {
             if (nearest - 1.0).abs() < 1e-3 {
                 continue;
             }
-            assert_eq!(seen.is_hidden(point), nearest < 1.0, "{point:?}");
+            assert_eq!(is_hidden(point), nearest < 1.0, "{point:?}");
             hidden += u32::from(nearest < 1.0);
         }
     }
     assert!(hidden > 50);
     // a point of the surface does not hide itself; the one behind is hidden
-    assert!(!seen.is_hidden(Point::new(0.0, 0.0, 1.0)));
-    assert!(seen.is_hidden(Point::new(0.0, 0.0, -1.0)));
+    assert!(!is_hidden(Point::new(0.0, 0.0, 1.0)));
+    assert!(is_hidden(Point::new(0.0, 0.0, -1.0)));
 }
 
 /// Closed form: seen from (0, 0, 5), the way from (−3, 0, −5) to (3, 0, −5) is hidden where |x| < 10 tan φ with
@@ -47,11 +48,11 @@ fn a_point_is_hidden_if_its_way_to_the_eye_is_blocked() {
 #[test]
 fn the_hidden_run_of_a_segment_is_the_shadow_of_the_ball() {
     let world = ball(MATTE);
-    let seen = Visibility::of(&world, Point::new(0.0, 0.0, 5.0));
+    let (seen, eye) = (Backdrop { world: &world, faded: &[] }, Point::new(0.0, 0.0, 5.0));
     let half = 10.0 * 0.2 / 0.96_f64.sqrt();
     let [start, end] = [-half, half].map(|x| (x + 3.0) / 6.0);
     for pieces in [7, 48, 600] {
-        let runs = seen.runs(Point::new(-3.0, 0.0, -5.0), Point::new(3.0, 0.0, -5.0), pieces);
+        let runs = seen.runs(eye, Point::new(-3.0, 0.0, -5.0), Point::new(3.0, 0.0, -5.0), pieces);
         let [first, hidden, last] = runs[..] else { panic!("{} runs, not 3", runs.len()) };
         assert_eq!([first.1, hidden.1, last.1], [false, true, false]);
         let most = 0.5 / f64::from(pieces) + 1e-9;
@@ -66,14 +67,16 @@ fn the_hidden_run_of_a_segment_is_the_shadow_of_the_ball() {
 #[test]
 fn one_looks_through_glass_and_what_is_faded() {
     let world = ball(MATTE);
-    let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
-    let seen = |ray: &Ray, faded: &[u32]| Backdrop { world: &world, faded }.seen(ray).1;
+    let eye = Point::new(0.0, 0.0, 5.0);
+    let backdrop = |faded: &'static [u32]| Backdrop { world: &world, faded };
+    let seen = |ray: &Ray, faded| backdrop(faded).seen(ray, Rgb::BLACK).1;
+    let ray = Ray::new(eye, -Vector::Z);
     assert_eq!([seen(&ray, &[]), seen(&ray, &[0])], [Some(0); 2]);
     let beside = Ray::new(Point::new(2.0, 0.0, 5.0), -Vector::Z);
     assert_eq!(seen(&beside, &[]), None);
-    let glass = ball("dielectric = { inside = { eta = 1.5 } }");
-    let seen = Visibility::of(&glass, Point::new(0.0, 0.0, 5.0));
-    assert!(!seen.is_hidden(Point::new(0.0, 0.0, -2.0)), "one looks through glass");
-    let faded = Visibility { backdrop: Backdrop { world: &world, faded: &[0] }, ..seen };
-    assert!(!faded.is_hidden(Point::new(0.0, 0.0, -2.0)), "and through what is faded");
+    let (glass, behind) =
+        (ball("dielectric = { inside = { eta = 1.5 } }"), Point::new(0.0, 0.0, -2.0));
+    let glass = Backdrop { world: &glass, faded: &[] };
+    assert!(glass.hides(eye, behind).is_none(), "one looks through glass");
+    assert!(backdrop(&[0]).hides(eye, behind).is_none(), "and through what is faded");
 }

@@ -10,9 +10,10 @@ use eframe::egui::{
     Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, pos2,
 };
 use groundtruth::film::Tone;
+use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
-use space::{Backdrop as Scene, Orbit, Segment, Visibility};
+use space::{Backdrop as Scene, Orbit, Segment};
 use web_time::Instant;
 
 use crate::explanation::Version;
@@ -201,7 +202,7 @@ impl Drawn {
         let empty = Rgb::grey(f64::from(request.ground) / 255.0).powc(TONE.gamma);
         let look = |at: [usize; 2], side: usize| {
             let middle = at.map(|at| (at as f64 + 0.5) * side as f64);
-            let (radiance, object) = scene.seen_before(&sight.ray(middle), empty);
+            let (radiance, object) = scene.seen(&sight.ray(middle), empty);
             let [r, g, b] = TONE.to_bytes(radiance);
             (Color32::from_rgb(r, g, b), object)
         };
@@ -216,8 +217,7 @@ impl Drawn {
         if *step == 0 {
             *drawn = sharpened(drawn, request.size, |at| look(at, SIDES[0]));
         }
-        let seen = Visibility { backdrop: scene, eye: sight.eye };
-        let new = || hidden_runs(&seen, &request.segments, cancelled).map(Arc::new);
+        let new = || hidden_runs(&scene, sight.eye, &request.segments, cancelled).map(Arc::new);
         *runs = runs.take().or_else(new);
         runs.is_some()
     }
@@ -266,14 +266,15 @@ fn sharpened(
 }
 
 fn hidden_runs(
-    seen: &Visibility<'_>,
+    scene: &Scene<'_>,
+    eye: Point,
     segments: &[Segment],
     cancelled: &AtomicBool,
 ) -> Option<Vec<Runs>> {
     let pieces = (MAX_PIECES / segments.len().max(1)).clamp(1, MAX_PIECES_PER_SEGMENT) as u32;
     let runs = segments.iter().map(|segment| {
         let go_on = !cancelled.load(Ordering::Relaxed);
-        go_on.then(|| seen.runs(segment.from, segment.to, pieces))
+        go_on.then(|| scene.runs(eye, segment.from, segment.to, pieces))
     });
     runs.collect()
 }

@@ -45,7 +45,7 @@ impl Role {
     ];
 
     /// That of a piece of a ray.
-    pub(crate) fn of(kind: RayKind, end: End) -> Self {
+    pub fn of(kind: RayKind, end: End) -> Self {
         match (kind, end) {
             (RayKind::Camera, _) => Self::Incoming,
             (RayKind::Reflected, _) => Self::Reflected,
@@ -102,12 +102,18 @@ pub struct Drawing {
 
 impl Stroke {
     /// A line that is not dashed, has no arrowhead and belongs to nothing.
-    pub fn new(role: Role, points: Vec<[f64; 2]>) -> Self {
+    pub fn new(role: Role, points: impl Into<Vec<[f64; 2]>>) -> Self {
+        let points = points.into();
         Self { role, points, arrow: false, dashed: false, ray: None, object: None }
     }
 }
 
 impl Drawing {
+    /// Adds words at a point.
+    pub(crate) fn say(&mut self, at: [f64; 2], text: impl Into<String>, role: Role, side: [i8; 2]) {
+        self.labels.push(Label { at, text: text.into(), role, side });
+    }
+
     /// The box around its lines and the points of its words: the least x and y, and the greatest; `None` if it is empty.
     pub fn bounds(&self) -> Option<[[f64; 2]; 2]> {
         let strokes = self.strokes.iter().flat_map(|stroke| &stroke.points);

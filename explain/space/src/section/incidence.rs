@@ -3,13 +3,13 @@
 use explain::{RecordedHit, RecordedRay};
 use groundtruth::math::{Vector, cos_degrees, sin_degrees};
 use groundtruth::printable::name;
-use groundtruth::trace::{Outcome, RayKind};
+use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use text::digits::short;
 
 use super::{
-    Drawing, Label, RayAngle, Refraction, Role, Section, SectionPlane, Stroke, Window,
-    angle_between, arc, object, outline_strokes, sign,
+    Drawing, RayAngle, Refraction, Role, Section, SectionPlane, Stroke, Window, angle_between, arc,
+    object, outline_strokes, sign,
 };
 
 /// A direction whose sine to the plane is smaller is in it.
@@ -45,14 +45,12 @@ pub fn section(world: &World, ray: &RecordedRay) -> Option<Section> {
     at.add_normals(&mut drawing, refraction.is_some());
     let mut angles = vec![at.add_incoming(&mut drawing)];
     angles.extend(at.children().map(|child| at.add_child(&mut drawing, child)));
-    drawing.strokes.push(Stroke::new(Role::Normal, vec![[0.0; 2]]));
+    drawing.strokes.push(Stroke::new(Role::Normal, [[0.0; 2]]));
     if let Some(refraction) = &refraction {
         at.add_indices(&mut drawing, refraction);
         drawing.notes.push(refraction.to_string());
     }
-    if plane.is_any {
-        drawing.notes.push(ANY.to_owned());
-    }
+    drawing.notes.extend(plane.is_any.then(|| ANY.to_owned()));
     Some(Section { plane, drawing, angles, refraction })
 }
 
@@ -82,8 +80,7 @@ struct Incidence<'a> {
 
 impl Incidence<'_> {
     fn children(&self) -> impl Iterator<Item = &RecordedRay> {
-        let scattered = |child: &&RecordedRay| !matches!(child.kind, RayKind::Shadow { .. });
-        self.ray.children.iter().filter(scattered)
+        self.ray.children.iter().filter(|child| !child.is_shadow())
     }
 
     /// Snell's law at the hit, with the recorded directions.
@@ -100,12 +97,12 @@ impl Incidence<'_> {
     }
 
     fn add_normals(&self, drawing: &mut Drawing, refracts: bool) {
+        let normal = |end: [f64; 2]| Stroke::new(Role::Normal, [[0.0; 2], end]);
         let end = [0.0, self.length];
-        drawing.strokes.push(Stroke::new(Role::Normal, vec![[0.0; 2], end]));
-        drawing.labels.push(label(end, "normal".to_owned(), Role::Normal, [0, 1]));
+        drawing.strokes.push(normal(end));
+        drawing.say(end, "normal", Role::Normal, [0, 1]);
         if refracts {
-            let other_end = vec![[0.0; 2], [0.0, -self.length]];
-            drawing.strokes.push(Stroke { dashed: true, ..Stroke::new(Role::Normal, other_end) });
+            drawing.strokes.push(Stroke { dashed: true, ..normal([0.0, -self.length]) });
         }
         if self.hit.shading_normal == self.hit.normal {
             return;
@@ -113,9 +110,7 @@ impl Incidence<'_> {
         let shading = Vector::from(self.hit.shading_normal);
         let shading = if shading.dot(self.normal) < 0.0 { -shading } else { shading };
         let end = self.plane.along(self.length * shading);
-        drawing
-            .strokes
-            .push(Stroke { dashed: true, ..Stroke::new(Role::Normal, vec![[0.0; 2], end]) });
+        drawing.strokes.push(Stroke { dashed: true, ..normal(end) });
         let degrees = short(angle_between(shading, self.normal));
         drawing.notes.push(format!(
             "The shading normal is dashed: it is {degrees}° from the true normal, from which the angles are measured."
@@ -126,13 +121,8 @@ impl Incidence<'_> {
         let length = self.hit.t.min(self.length);
         let from = self.plane.along(-length * self.incoming);
         let degrees = angle_between(-self.incoming, self.normal);
-        let way = [from, [0.0; 2]];
-        self.add_ray(
-            drawing,
-            (self.ray, Role::Incoming),
-            way,
-            &format!("θ₁ = {}°", short(degrees)),
-        );
+        let theta = format!("θ₁ = {}°", short(degrees));
+        self.add_ray(drawing, (self.ray, Role::Incoming), [from, [0.0; 2]], &theta);
         self.add_arc(drawing, from, "θ₁", degrees);
         RayAngle { ray: self.ray.number, degrees }
     }
@@ -176,18 +166,18 @@ impl Incidence<'_> {
         [from, to]: [[f64; 2]; 2],
         angle: &str,
     ) {
-        let stroke = Stroke::new(role, vec![from, to]);
-        let (dashed, ray_number) = (angle.is_empty(), Some(ray.number));
-        drawing.strokes.push(Stroke { arrow: true, dashed, ray: ray_number, ..stroke });
+        let (dashed, number) = (angle.is_empty(), Some(ray.number));
+        let stroke = Stroke { arrow: true, dashed, ray: number, ..Stroke::new(role, [from, to]) };
+        drawing.strokes.push(stroke);
         let [x, y] = if role == Role::Incoming { from } else { to };
-        let words = match (role, ray.outcome) {
-            (_, Outcome::TooDeep | Outcome::OverBudget) => "uncast",
-            (Role::Incoming, _) => "incoming",
-            (Role::Transmitted, _) => "refracted",
+        let words = match role {
+            _ if !ray.is_cast() => "uncast",
+            Role::Incoming => "incoming",
+            Role::Transmitted => "refracted",
             _ => "reflected",
         };
         let text = format!("{words} ray {}\n{angle}", ray.number).trim_end().to_owned();
-        drawing.labels.push(label([x, y], text, role, [sign(x), sign(y)]));
+        drawing.say([x, y], text, role, [sign(x), sign(y)]);
     }
 
     /// Nothing if the ray is along the normal.
@@ -211,9 +201,9 @@ impl Incidence<'_> {
             false => ([0.35 * sin_degrees(between), 0.35 * cos_degrees(between)], [0, 0]),
         };
         let at = at.map(|it| it * self.length);
-        drawing.labels.push(label(at, format!("n₁ = {front}"), Role::Outline, side));
+        drawing.say(at, format!("n₁ = {front}"), Role::Outline, side);
         let at = [0.0, -0.4 * self.length];
-        drawing.labels.push(label(at, format!("n₂ = {behind}"), Role::Outline, [-1, 0]));
+        drawing.say(at, format!("n₂ = {behind}"), Role::Outline, [-1, 0]);
     }
 }
 
@@ -223,16 +213,12 @@ pub fn add_expected(section: &mut Section, number: usize, direction: Vector) {
     let Some(role) = rays().find(|it| it.ray == Some(number)).map(|it| it.role) else { return };
     let lengths = rays().flat_map(|it| &it.points).map(|[x, y]| (x * x + y * y).sqrt());
     let to = section.plane.along(lengths.fold(0.0, f64::max) * direction);
-    let stroke = Stroke::new(role, vec![[0.0; 2], to]);
+    let stroke = Stroke::new(role, [[0.0; 2], to]);
     section.drawing.strokes.push(Stroke { arrow: true, dashed: true, ..stroke });
     let up = section.plane.vector([0.0, if to[1] < 0.0 { -1.0 } else { 1.0 }]);
     let degrees = short(angle_between(direction, up));
     let text = format!("ray {number} should go\n{degrees}°");
-    section.drawing.labels.push(label(to, text, role, [sign(to[0]), sign(to[1])]));
-}
-
-fn label(at: [f64; 2], text: String, role: Role, side: [i8; 2]) -> Label {
-    Label { at, text, role, side }
+    section.drawing.say(to, text, role, [sign(to[0]), sign(to[1])]);
 }
 
 /// `n₁ sin θ₁ = n₂ sin θ₂:`, and on a second line `1 × sin 41.81° = 0.6667, 1.5 × sin 26.39° = 0.6667`.

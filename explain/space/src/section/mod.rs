@@ -78,8 +78,7 @@ impl Section {
     /// `None` if nothing is hit.
     pub fn first(root: &RecordedRay) -> Option<usize> {
         root.hit.as_ref()?;
-        let is_shadow = |ray: &RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
-        let sends_on = root.children.iter().any(|child| !is_shadow(child));
+        let sends_on = root.children.iter().any(|child| !child.is_shadow());
         let shadow = root.children.first().filter(|_| !sends_on);
         Some(shadow.map_or(root.number, |shadow| shadow.number))
     }
@@ -129,7 +128,7 @@ fn arc(direction: [f64; 2], radius: f64, letter: &str) -> (Stroke, Option<Label>
     });
     let middle = at(0.5 * (start + end), 0.75 * radius);
     let label = Label { at: middle, text: letter.to_owned(), role: Role::Arc, side: [0, 0] };
-    (Stroke::new(Role::Arc, points.collect()), (!letter.is_empty()).then_some(label))
+    (Stroke::new(Role::Arc, points.collect::<Vec<_>>()), (!letter.is_empty()).then_some(label))
 }
 
 /// −1 or 1.

@@ -19,7 +19,7 @@ use serde::Serialize;
 use text::brief::count;
 
 use super::approach::{Approach, Beside};
-use super::hits::Hits;
+use super::hits::hits;
 use super::segments::light_point;
 
 /// A question about a ray of a recorded tree.
@@ -172,14 +172,12 @@ impl Question<'_> {
     /// The tree has no such ray or the scene no such object, or an object that is switched off cannot be built.
     pub fn answer(&self) -> Result<WhyNot, String> {
         let rays = self.root.rays();
-        let ray = rays.iter().copied().find(|ray| ray.number == self.ray).ok_or_else(|| {
-            format!(
-                "no ray {}: the tree has {}, numbered from 0",
-                self.ray,
-                count(rays.len(), "ray")
-            )
+        let numbered = |number| rays.iter().copied().find(|ray| ray.number == number);
+        let ray = numbered(self.ray).ok_or_else(|| {
+            let all = count(rays.len(), "ray");
+            format!("no ray {}: the tree has {all}, numbered from 0", self.ray)
         })?;
-        let parent = rays.iter().copied().find(|parent| Some(parent.number) == ray.parent);
+        let parent = ray.parent.and_then(numbered);
         let of_scene = self.scene.objects.get(self.object as usize);
         let name = of_scene.map(|object| object.name.as_str()).ok_or_else(|| {
             format!("no object {}: the scene has {}", self.object, self.scene.objects.len())
@@ -231,9 +229,7 @@ impl Cast<'_> {
         let ended = self.ended();
         let answer = self.reason(world, object, first.as_ref(), ended.as_ref());
         let meets = match &answer {
-            WhyNotAnswer::Hits { .. } | WhyNotAnswer::Blocks => {
-                ended.as_ref().map(|ended| ended.at)
-            }
+            WhyNotAnswer::Hits { .. } | WhyNotAnswer::Blocks => ended.as_ref().map(|it| it.at),
             _ => first.as_ref().map(|hit| meeting(ray, hit.t, hit.surface.point)),
         };
         let is_apart = meets.is_none() && answer != WhyNotAnswer::StartsOnIt;
@@ -256,20 +252,17 @@ impl Cast<'_> {
     fn ended(&self) -> Option<Ended> {
         let ray = &self.ray.ray;
         if let Some(hit) = &self.ray.hit {
-            let at =
-                Meeting { t: hit.t, distance: hit.t * ray.direction.length(), point: hit.point };
+            let at = meeting(ray, hit.t, hit.point);
             return Some(Ended { object: hit.object.to_string(), at });
         }
         let Outcome::Blocked { blocked_by } = self.ray.outcome else { return None };
         let world = self.question.world;
         let blocker = world.objects().iter().find(|object| object.index == blocked_by)?;
-        let hits = || Hits::of(world, blocker, *ray).filter(|(t, _)| *t < self.end);
+        let hits = || hits(world, blocker, *ray).filter(|(t, _)| *t < self.end);
         let opaque = hits().find(|(_, hit)| hit.casts_shadow() && !self.lets_through(hit));
         let (t, hit) = opaque.or_else(|| hits().next())?;
-        Some(Ended {
-            object: self.ray.blocked_by.as_ref()?.to_string(),
-            at: meeting(ray, t, hit.surface.point),
-        })
+        let object = self.ray.blocked_by.as_ref()?.to_string();
+        Some(Ended { object, at: meeting(ray, t, hit.surface.point) })
     }
 
     /// Whether shadow rays pass a surface because it is transparent.
@@ -295,10 +288,9 @@ impl Cast<'_> {
             _ => match first {
                 None => self.missed(world, object),
                 Some(first) if self.ray.light.is_some() => {
-                    let hits: Vec<_> = Hits::of(world, object, self.ray.ray)
-                        .take_while(|(t, _)| *t < self.end)
-                        .map(|(_, hit)| hit)
-                        .collect();
+                    let hits = hits(world, object, self.ray.ray);
+                    let before_light = hits.take_while(|(t, _)| *t < self.end);
+                    let hits: Vec<_> = before_light.map(|(_, hit)| hit).collect();
                     self.shadow(first, &hits, ended)
                 }
                 Some(_) if ended.is_some() => WhyNotAnswer::BeyondHit,
@@ -345,8 +337,8 @@ impl Cast<'_> {
         let backward = Ray::new(ray.ray.origin, -ray.ray.direction);
         match world.hit_of(object, &backward, Span::AHEAD) {
             Some(hit) => {
-                let Meeting { t, distance, point } = meeting(&backward, hit.t, hit.surface.point);
-                WhyNotAnswer::Behind { at: Meeting { t: -t, distance, point } }
+                let at = meeting(&backward, hit.t, hit.surface.point);
+                WhyNotAnswer::Behind { at: Meeting { t: -at.t, ..at } }
             }
             None => WhyNotAnswer::Passes,
         }
