@@ -16,10 +16,8 @@ pub enum Scale {
     Directions,
     /// Texture coordinates: u as red, v as green, each without its whole part.
     Uv,
-    /// A colour for each object, by its name.
-    Objects,
-    /// A colour for each material, by its name.
-    Materials,
+    /// Indices of objects or materials: a colour for each name.
+    Names,
     /// From the least value to the largest.
     Linear,
     /// From the least positive value, or a millionth of the largest, to the largest: equal steps of colour are equal
@@ -104,7 +102,7 @@ impl Colors {
             Scale::Radiance => self.tone.to_bytes(value),
             Scale::Directions => bytes(value.map(|x| 0.5 + 0.5 * x)),
             Scale::Uv => bytes(Rgb::new(fraction(value.r), fraction(value.g), 0.0)),
-            Scale::Objects | Scale::Materials => {
+            Scale::Names => {
                 self.of_names.get(value.r as usize).map_or(NOTHING, |(_, color)| *color)
             }
             Scale::Linear => ramp(self.share(value.average())),
@@ -150,7 +148,7 @@ impl Colors {
                 let names = ["u 0, v 0", "u 1, v 0", "u 0, v 1", "u 1, v 1"];
                 corners.iter().zip(names).map(|(&(u, v), name)| row(at(u, v), name)).collect()
             }
-            Scale::Objects | Scale::Materials => self.legend_of_names(values),
+            Scale::Names => self.legend_of_names(values),
             Scale::Linear | Scale::Logarithmic => self.legend_of_ramp(layer),
         }
     }

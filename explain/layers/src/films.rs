@@ -112,7 +112,7 @@ impl Layer {
 fn stored(layer: &Layer, value: Option<Rgb>) -> [f32; 3] {
     match value {
         Some(value) => value.to_array().map(|channel| (channel as f32).min(f32::MAX)),
-        None => [layer.kind().nothing; 3],
+        None => [layer.kind().nothing(); 3],
     }
 }
 

@@ -23,8 +23,6 @@ pub struct Kind {
     pub argument: Option<Argument>,
     /// How it is shown.
     pub scale: Scale,
-    /// What a file has where the centre sample hits nothing.
-    pub nothing: f32,
     pub(crate) find: Find,
 }
 
@@ -63,7 +61,7 @@ const fn kind(
     scale: Scale,
     find: Find,
 ) -> Kind {
-    Kind { name, about, unit, channels, argument: None, scale, nothing: 0.0, find }
+    Kind { name, about, unit, channels, argument: None, scale, find }
 }
 
 /// A part of the picture's sum.
@@ -116,26 +114,20 @@ pub static KINDS: [Kind; 18] = [
         Scale::Linear,
         Find::Hit(|hit| number(hit.t)),
     ),
-    Kind {
-        nothing: -1.0,
-        ..kind(
-            "object",
-            "object of the first hit, by its index in the scene",
-            ("index", &["id.object"]),
-            Scale::Objects,
-            Find::Hit(|hit| number(hit.object.index)),
-        )
-    },
-    Kind {
-        nothing: -1.0,
-        ..kind(
-            "material",
-            "material of the first hit, by its index in the scene",
-            ("index", &["id.material"]),
-            Scale::Materials,
-            Find::Hit(|hit| number(hit.material.index)),
-        )
-    },
+    kind(
+        "object",
+        "object of the first hit, by its index in the scene",
+        ("index", &["id.object"]),
+        Scale::Names,
+        Find::Hit(|hit| number(hit.object.index)),
+    ),
+    kind(
+        "material",
+        "material of the first hit, by its index in the scene",
+        ("index", &["id.material"]),
+        Scale::Names,
+        Find::Hit(|hit| number(hit.material.index)),
+    ),
     kind(
         "uv",
         "texture coordinates of the first hit: of its image, else of its mesh",

@@ -10,6 +10,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::similar;
 use groundtruth::world::World;
 
+use crate::colors::Scale;
 use crate::events::{Events, Wanted, first_hit};
 use crate::kinds::{Argument, Find, KINDS, Kind};
 
@@ -103,13 +104,10 @@ impl Layer {
         let deepest = tracer.max_depth().map_or(0, |depth| *depth).min(9);
         let layers = KINDS.iter().enumerate().flat_map(|(kind, it)| {
             let parts = match it.argument {
-                None => vec![Part::Only],
-                Some(Argument::Light) => {
-                    let light = |index: u32| Part::Light(index, light_name(world, index));
-                    world.lights.iter().map(|it| light(it.index)).collect()
-                }
                 Some(Argument::Lobe) => first_lobes(world).into_iter().map(Part::Lobe).collect(),
                 Some(Argument::Depth) => (0..=deepest).map(Part::Depth).collect(),
+                Some(Argument::Light) => lights(world),
+                None => vec![Part::Only],
             };
             parts.into_iter().map(move |part| Self { kind, part })
         });
@@ -136,20 +134,13 @@ impl Layer {
         let events = Events::of(renderer, pixel, Wanted { cost: true, terms: true });
         let mut all = Vec::new();
         for (kind, it) in KINDS.iter().enumerate() {
-            let of = match &it.find {
-                Find::Hit(find) => {
-                    all.push((Self { kind, part: Part::Only }, hit.as_ref().and_then(find)));
-                    continue;
-                }
-                Find::Samples(find) | Find::Cost(find) => {
-                    all.push((Self { kind, part: Part::Only }, Some(find(&events))));
-                    continue;
-                }
-                Find::Terms(of) => of,
-            };
             for part in parts(it.argument, world, &events) {
-                let value = events.sum(|term| of(term, &part));
-                all.push((Self { kind, part }, Some(value)));
+                let value = match &it.find {
+                    Find::Hit(find) => hit.as_ref().and_then(find),
+                    Find::Samples(find) | Find::Cost(find) => Some(find(&events)),
+                    Find::Terms(of) => Some(events.sum(|term| of(term, &part))),
+                };
+                all.push((Self { kind, part }, value));
             }
         }
         all
@@ -201,10 +192,7 @@ fn parts(argument: Option<Argument>, world: &World, events: &Events) -> Vec<Part
     let terms = || events.terms.keys();
     let mut parts: Vec<Part> = match argument {
         None => vec![Part::Only],
-        Some(Argument::Light) => {
-            let lights = world.lights.iter().map(|light| light.index);
-            lights.map(|index| Part::Light(index, light_name(world, index))).collect()
-        }
+        Some(Argument::Light) => lights(world),
         Some(Argument::Lobe) => {
             terms().filter_map(|term| Some(Part::Lobe(term.first_lobe()?))).collect()
         }
@@ -215,8 +203,9 @@ fn parts(argument: Option<Argument>, world: &World, events: &Events) -> Vec<Part
     parts
 }
 
-fn light_name(world: &World, index: u32) -> Arc<str> {
-    Arc::clone(&world.names.lights[index as usize])
+/// The parts of the lights that are on.
+fn lights(world: &World) -> Vec<Part> {
+    world.lights.iter().map(|it| Part::Light(it.index, Arc::clone(&it.name))).collect()
 }
 
 /// The names of the lobes that rays of the camera meet first, on a lattice of 32 × 32 pixels.
@@ -252,10 +241,11 @@ impl Argument {
         };
         match self {
             Self::Light => {
-                let lights: Vec<&str> = world.names.lights.iter().map(|name| &**name).collect();
-                let index = lights.iter().position(|light| *light == text);
-                let index = index.ok_or_else(|| unknown("the scene's lights", &lights))? as u32;
-                Ok(Part::Light(index, light_name(world, index)))
+                let lights = &world.names.lights;
+                let found = (0..).zip(lights).find(|(_, name)| &***name == text);
+                let names = || lights.iter().map(|name| &**name).collect::<Vec<_>>();
+                let part = found.map(|(index, name)| Part::Light(index, Arc::clone(name)));
+                part.ok_or_else(|| unknown("the scene's lights", &names()))
             }
             Self::Lobe => {
                 let found = lobes().find(|lobe| word(lobe) == word(text));
@@ -276,6 +266,11 @@ impl Argument {
 }
 
 impl Kind {
+    /// What a file has where the centre sample hits nothing: no index.
+    pub fn nothing(&self) -> f32 {
+        if self.scale == Scale::Names { -1.0 } else { 0.0 }
+    }
+
     /// How a layer of this kind is written: `light:NAME`.
     pub fn usage(&self) -> String {
         match self.argument {

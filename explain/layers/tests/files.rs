@@ -67,7 +67,7 @@ fn a_file_has_all_layers() {
                 assert_eq!(channel(&channels, name)[at], value as f32);
             }
             for (layer, value) in Layer::all(&world, pixel) {
-                let nothing = [f64::from(layer.kind().nothing); 3];
+                let nothing = [f64::from(layer.kind().nothing()); 3];
                 let value = value.map_or(nothing, |value| value.to_array());
                 for (name, value) in layer.channels().into_iter().zip(value) {
                     assert_eq!(channel(&channels, &name)[at], value as f32, "{name} at {pixel:?}");
