@@ -6,7 +6,6 @@ use explain::PixelExplanation;
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::Scene;
-use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use keep::{PixelPage, SmallPicture};
 use text::digits::shortened;
@@ -63,8 +62,7 @@ fn a_page_is_one_file_with_every_ray() {
         for ray in root.rays() {
             let line = format!("<summary data-ray=\"{}\">", ray.number);
             assert_eq!(html.matches(&line).count(), 1, "{name}: ray {}", ray.number);
-            let is_shadow = matches!(ray.kind, RayKind::Shadow { .. });
-            for term in ray.terms.iter().filter(|_| !is_shadow) {
+            for term in ray.terms.iter().filter(|_| !ray.is_shadow()) {
                 let formula = shortened(&ray.formula(term).to_string());
                 let line = format!("<li class=\"formula\">{formula}</li>");
                 assert!(html.contains(&line), "{name}: {line}");

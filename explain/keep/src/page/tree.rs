@@ -1,9 +1,9 @@
 //! The tree of rays as HTML that folds.
 
 use explain::RecordedRay;
-use groundtruth::trace::{Outcome, RayKind};
+use groundtruth::trace::Outcome;
 use groundtruth::world::World;
-use space::{Role, Section, ink};
+use space::{End, Role, Section, ink};
 use text::brief::{count, percent, short};
 use text::digits::shortened;
 use text::document::*;
@@ -55,10 +55,10 @@ impl<'a> Tree<'a> {
             return several();
         }
         *self.left -= 1;
-        let is_shadow = |ray: &&RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
         let is_little = |ray: &&RecordedRay| !self.is_small && ray.share < MIN_SHARE;
         let (little, large): (Vec<_>, Vec<_>) = ray.children.iter().partition(is_little);
-        let (shadows, onward): (Vec<_>, Vec<_>) = large.into_iter().partition(is_shadow);
+        let (shadows, onward): (Vec<_>, Vec<_>) =
+            large.into_iter().partition(|ray| ray.is_shadow());
         let own = self.own(ray).with_all(self.rays(&shadows)).with(self.little(ray, &little));
         let is_path = onward.len() == 1;
         let onward = self.rays(&onward);
@@ -94,7 +94,11 @@ impl<'a> Tree<'a> {
         // the line has two spaces between its parts
         let line = shortened(&ray.line()).replace("  ", " · ");
         let bar = format!("--part:{:.1}%", (100.0 * ray.share).clamp(0.0, 100.0));
-        let color = format!("color:{}", ink(role(ray)));
+        let end = match ray.outcome {
+            Outcome::Blocked { .. } => End::Occluder,
+            _ => End::Light,
+        };
+        let color = format!("color:{}", ink(Role::of(ray.kind, end)));
         let summary = element("summary")
             .with(span("share", percent(ray.share)).attribute("style", bar))
             .with(" ")
@@ -119,15 +123,5 @@ impl<'a> Tree<'a> {
             .with(summary)
             .with(element("ul").with_all(ray.details(true).into_iter().map(item)))
             .with_all(section)
-    }
-}
-
-fn role(ray: &RecordedRay) -> Role {
-    match (ray.kind, ray.outcome) {
-        (RayKind::Camera, _) => Role::Incoming,
-        (RayKind::Reflected, _) => Role::Reflected,
-        (RayKind::Transmitted, _) => Role::Transmitted,
-        (RayKind::Shadow { .. }, Outcome::Blocked { .. }) => Role::Blocked,
-        (RayKind::Shadow { .. }, _) => Role::Shadow,
     }
 }
