@@ -65,11 +65,7 @@ pub(super) fn written(lobe: &Lobe, of: Scattered) -> Vec<Factor> {
         }
         Lobe::GlossySpecular(lobe) => {
             let share = of.over(lobe.reflectance);
-            let highlight = match of {
-                Scattered::Lit(_) => Factor::power("(r·ω_o)^e", share, lobe.exponent),
-                _ => Factor::number("(r·ω_o)^e cos θ_i", share),
-            };
-            vec![Factor::color("k_s c_s", lobe.reflectance), highlight]
+            vec![Factor::color("k_s c_s", lobe.reflectance), highlight(of, share, lobe.exponent)]
         }
         Lobe::PerfectSpecular(lobe) => vec![Factor::color("k_r c_r", lobe.reflectance)],
         Lobe::GlossyReflection(lobe) => glossy_reflection(lobe, of),
@@ -91,16 +87,20 @@ fn glossy_reflection(lobe: &GlossyReflection, of: Scattered) -> Vec<Factor> {
             factors.push(Factor::number("p(ω_i)/cos θ_i", share));
         }
         (GlossyRule::Book, _) => factors.push(Factor::number("p(ω_i)", share)),
-        (GlossyRule::Normalised, Scattered::Lit(_)) => factors.extend([
-            Factor::number("(e + 2)/2π", scale),
-            Factor::power("(r·ω_o)^e", share / scale, lobe.exponent),
-        ]),
         (GlossyRule::Normalised, _) => factors.extend([
             Factor::number("(e + 2)/2π", scale),
-            Factor::number("(r·ω_o)^e cos θ_i", share / scale),
+            highlight(of, share / scale, lobe.exponent),
         ]),
     }
     factors
+}
+
+/// The power of a highlight, which has this value, perhaps times the cosine.
+fn highlight(of: Scattered, value: f64, exponent: f64) -> Factor {
+    match of {
+        Scattered::Lit(_) => Factor::power("(r·ω_o)^e", value, exponent),
+        _ => Factor::number("(r·ω_o)^e cos θ_i", value),
+    }
 }
 
 /// The share of light that is refracted, and the `1/η²` of radiance if the weight has it.
