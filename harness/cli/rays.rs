@@ -11,7 +11,7 @@ use groundtruth::printable;
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::Mistaken;
-use rays::{LawReport, LogError, RayLaw, RayVerdict, Traced, WriterLanguage};
+use rays::{LawReport, LogError, RayLaw, RayVerdict, Traced, WRITERS};
 use serde_json::Value;
 
 use super::{Exit, Outcome, print};
@@ -22,8 +22,8 @@ pub struct Rays {
     #[arg(value_name = "LOG", required_unless_present_any = ["init", "laws"])]
     logs: Vec<PathBuf>,
     /// Print a file for your program that writes such a log
-    #[arg(long, value_name = "LANGUAGE", value_parser = language, exclusive = true)]
-    init: Option<WriterLanguage>,
+    #[arg(long, value_name = "LANGUAGE", value_parser = writer, exclusive = true)]
+    init: Option<&'static str>,
     /// List the laws, what each needs, and its usual causes
     #[arg(long, exclusive = true)]
     laws: bool,
@@ -43,8 +43,8 @@ pub struct Rays {
 
 impl Rays {
     pub fn run(self) -> Outcome {
-        if let Some(language) = self.init {
-            return print(language.writer());
+        if let Some(writer) = self.init {
+            return print(writer);
         }
         if self.laws {
             return print(&rays::laws_text());
@@ -151,13 +151,9 @@ fn named_scene(name: &str, folder: &Path) -> Result<(Scene, World), String> {
     scenefile::read(&file).map_err(|e| e.to_string())
 }
 
-fn language(name: &str) -> Result<WriterLanguage, String> {
-    let named =
-        |(known, language, _): &(&str, WriterLanguage, &str)| (*known == name).then_some(*language);
-    let known =
-        || WriterLanguage::ALL.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", ");
-    WriterLanguage::ALL
-        .iter()
-        .find_map(named)
-        .ok_or_else(|| format!("the languages are {}", known()))
+/// The file of a language.
+fn writer(language: &str) -> Result<&'static str, String> {
+    let found = WRITERS.into_iter().find(|(name, _)| *name == language);
+    let known = || WRITERS.map(|(name, _)| name).join(", ");
+    found.map(|(_, file)| file).ok_or_else(|| format!("the languages are {}", known()))
 }

@@ -22,7 +22,7 @@ mod verdict;
 mod written;
 
 pub use conventions::Conventions;
-pub use language::WriterLanguage;
+pub use language::WRITERS;
 pub use laws::{BrokenRay, LAWS, LawReport, RayLaw};
 pub use log::{
     Damaged, FIELDS, Factors, Field, Head, Id, Log, LogError, MAX_RAYS, Named, Precision, Purpose,

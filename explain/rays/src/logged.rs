@@ -60,7 +60,7 @@ impl Logged {
     pub fn of(verdict: RayVerdict) -> Self {
         let traced = &verdict.traced;
         let mut roots: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
-        for (index, ray) in traced.log.rays.iter().enumerate() {
+        for (index, ray) in traced.rays() {
             if traced.parents[index].is_none() {
                 roots.entry(ray.pixel.unwrap_or_default()).or_default().push(index);
             }
@@ -138,18 +138,11 @@ impl Logged {
             entry.push(by_entry(&ray));
             first.push(by_first_hit(&ray));
             if rays <= MAX_RAYS_PER_PIXEL || index == wanted {
-                let radiance = radiances[index as usize];
-                let (weight, complete, film, lens) = (1.0, true, None, None);
-                let ray = Some(ray);
-                samples.push(SampleExplanation {
-                    index,
-                    film,
-                    lens,
-                    weight,
-                    radiance,
-                    complete,
-                    ray,
-                });
+                let (film, lens, weight, complete) = (None, None, 1.0, true);
+                let (ray, radiance) = (Some(ray), radiances[index as usize]);
+                let sample =
+                    SampleExplanation { index, film, lens, weight, radiance, complete, ray };
+                samples.push(sample);
             }
         }
         Some(PixelExplanation {

@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 
 use groundtruth::printable::text as printable;
-use groundtruth::world::World;
 use space::{Section, hiding, orbit_of, svg_of_rays};
 use text::brief::count;
 use text::document::{
@@ -11,7 +10,7 @@ use text::document::{
 };
 use text::html::{CARD, LINES, escaped, page};
 
-use crate::laws::{LawReport, RayLaw};
+use crate::laws::{BrokenRay, LawReport, RayLaw};
 use crate::recorded::Recorded;
 use crate::scene::empty_world;
 use crate::verdict::{Outcome, RayVerdict};
@@ -21,14 +20,7 @@ const MAX_SHOWN: usize = 2000;
 /// The most findings of a law on a page.
 const MAX_FINDINGS: usize = 3;
 
-const STYLE: &str = "\
-.tree details { margin-left: 1.2em; }
-.tree summary.broken { background: var(--bad); }
-.tree p { margin: 0 0 0 1.2em; }
-td, th { vertical-align: top; }
-td p, td ul { margin: 0; }
-svg { max-width: 44em; height: auto; }
-";
+const STYLE: &str = include_str!("page.css");
 
 impl RayVerdict {
     /// The page; `name` is what the log is called.
@@ -73,7 +65,7 @@ impl RayVerdict {
 
     fn findings(&self, law: &RayLaw, asked: &LawReport) -> Element {
         let broken = asked.findings.len();
-        let line = |finding: &crate::laws::BrokenRay| {
+        let line = |finding: &BrokenRay| {
             printable(&format!("{} {}", self.traced.name(finding.ray), finding.words))
         };
         let more = broken.saturating_sub(MAX_FINDINGS);
@@ -87,14 +79,8 @@ impl RayVerdict {
     /// The rays in space, and the section of the first ray that breaks a law.
     fn drawings(&self, root: usize) -> Element {
         let recorded = Recorded::of(&self.traced, root);
-        let empty;
-        let world: &World = match &self.traced.world {
-            Some(world) => world,
-            None => {
-                empty = empty_world();
-                &empty
-            }
-        };
+        let empty = empty_world();
+        let world = self.traced.world.as_deref().unwrap_or(&empty);
         let orbit = orbit_of(world, &recorded.root);
         let faded = hiding(world, &recorded.root, &orbit);
         let svg = svg_of_rays(world, &recorded.root, &orbit, &faded);
@@ -108,18 +94,15 @@ impl RayVerdict {
             section.expect(|number| self.expected(*indices.get(&number)?));
             Some(section)
         });
-        let section =
-            section.map(|it| figure(Node::Drawing(it.drawing.svg()), it.drawing.title.clone()));
+        let drawn = |it: Section| figure(Node::Drawing(it.drawing.svg()), it.drawing.title);
+        let numbers = match recorded.numbers {
+            Some(_) => "The numbers are those of the log.",
+            None => "The numbers count the rays from 0, in the order of the tree below.",
+        };
         several()
             .with(heading(2, "In space"))
-            .with(figure(
-                Node::Drawing(svg),
-                match recorded.numbers {
-                    Some(_) => "The numbers are those of the log.",
-                    None => "The numbers count the rays from 0, in the order of the tree below.",
-                },
-            ))
-            .with_all(section)
+            .with(figure(Node::Drawing(svg), numbers))
+            .with_all(section.map(drawn))
     }
 
     fn tree(&self, root: usize) -> Element {
@@ -132,23 +115,20 @@ impl RayVerdict {
             return several();
         }
         *left -= 1;
-        let broken: Vec<Element> = self
-            .of_ray(ray)
-            .map(|(law, finding)| paragraph(format!("✗ {}: {}", law.name, finding.words)))
-            .collect();
-        let summary =
-            if broken.is_empty() { element("summary") } else { element("summary").class("broken") };
-        let rest = several().with_all(broken).with_all(
-            self.traced.children[ray]
-                .iter()
-                .map(|&child| self.branch(child, left))
-                .collect::<Vec<_>>(),
-        );
-        let cut = if *left == 0 { Some(span("quiet", "further rays are left out")) } else { None };
+        let told = |(law, finding): (&RayLaw, &BrokenRay)| {
+            paragraph(format!("✗ {}: {}", law.name, finding.words))
+        };
+        let broken: Vec<Element> = self.of_ray(ray).map(told).collect();
+        let summary = element("summary");
+        let summary = if broken.is_empty() { summary } else { summary.class("broken") };
+        let children = &self.traced.children[ray];
+        let children: Vec<Element> = children.iter().map(|&it| self.branch(it, left)).collect();
+        let cut = (*left == 0).then(|| span("quiet", "further rays are left out"));
         element("details")
             .attribute("open", "")
             .with(summary.with(printable(&self.line(ray))))
-            .with(rest)
+            .with_all(broken)
+            .with_all(children)
             .with_all(cut)
     }
 }

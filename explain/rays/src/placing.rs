@@ -17,6 +17,9 @@ pub struct Placing {
     pub scale: f64,
 }
 
+/// What the axes of a head should be.
+const AXES: &str =
+    "`axes` are x, y and z in any order, each perhaps with a sign, as [\"x\", \"z\", \"-y\"]";
 const NAMES: [&str; 3] = ["x", "y", "z"];
 /// The units of length that programs and scenes have.
 const SCALES: [f64; 6] = [0.001, 0.01, 0.1, 10.0, 100.0, 1000.0];
@@ -41,47 +44,30 @@ impl Placing {
         mirrored.chain(exchanged).chain(scaled)
     }
 
-    /// Whether the fields of a head can say it.
+    /// What the fields of a head say of it: `"axes": ["x", "z", "-y"]`, `"scale": 0.01`.
     ///
     /// # Errors
     /// What they should be.
-    pub fn check(fields: &Map<String, Value>) -> Result<(), String> {
-        let axis = |word: &Value| {
-            NAMES
-                .iter()
-                .position(|it| Some(*it) == word.as_str().map(|it| it.trim_start_matches('-')))
-        };
-        let axes = |it: &Vec<Value>| it.iter().map(axis).collect::<Option<BTreeSet<_>>>();
-        let is_whole = |it: &Value| {
-            it.as_array()
-                .is_some_and(|it| it.len() == 3 && axes(it).is_some_and(|it| it.len() == 3))
-        };
-        if fields.get("axes").is_some_and(|it| !is_whole(it)) {
-            return Err("`axes` are x, y and z in any order, each perhaps with a sign, as [\"x\", \"z\", \"-y\"]".to_owned());
-        }
-        let is_length = |it: &Value| it.as_f64().is_some_and(|it| it > 0.0 && it.is_normal());
-        match fields.get("scale").is_none_or(is_length) {
-            true => Ok(()),
-            false => Err("`scale` is a positive number".to_owned()),
-        }
-    }
-
-    /// What the head says of it: `"axes": ["x", "z", "-y"]`, `"scale": 0.01`.
-    pub fn of(log: &Log) -> Option<Self> {
-        let fields = &log.head.others;
+    pub fn of(fields: &Map<String, Value>) -> Result<Self, &'static str> {
         let axis = |word: &Value| {
             let word = word.as_str()?;
             let (sign, name) = word.strip_prefix('-').map_or((1.0, word), |name| (-1.0, name));
             Some((NAMES.iter().position(|it| *it == name)?, sign))
         };
-        let axes = fields.get("axes").and_then(Value::as_array);
-        let axes =
-            axes.and_then(|it| it.iter().map(axis).collect::<Option<Vec<_>>>()?.try_into().ok());
-        let scale = fields.get("scale").and_then(Value::as_f64);
-        (axes.is_some() || scale.is_some()).then(|| Self {
-            axes: axes.unwrap_or(Self::default().axes),
-            scale: scale.unwrap_or(1.0),
-        })
+        let axes = |it: &Value| -> Option<[(usize, f64); 3]> {
+            let axes: Vec<_> = it.as_array()?.iter().map(axis).collect::<Option<_>>()?;
+            let each: BTreeSet<usize> = axes.iter().map(|it| it.0).collect();
+            axes.try_into().ok().filter(|_| each.len() == 3)
+        };
+        let length = |it: &Value| it.as_f64().filter(|it| *it > 0.0 && it.is_normal());
+        let mut it = Self::default();
+        if let Some(value) = fields.get("axes") {
+            it.axes = axes(value).ok_or(AXES)?;
+        }
+        if let Some(value) = fields.get("scale") {
+            it.scale = length(value).ok_or("`scale` is a positive number")?;
+        }
+        Ok(it)
     }
 
     pub fn is_mirrored(&self) -> bool {

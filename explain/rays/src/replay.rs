@@ -4,14 +4,14 @@
 //! draws is not compared at all; a difference that the rounding of the camera's ray makes, too, is none.
 
 use explain::{RayTree, RecordedRay, RecordedTerm, Unlit, UnlitLight, add_unlit};
-use groundtruth::math::{Frame, Normal, Ray, Vector, atan2, power, to_degrees};
+use groundtruth::math::{Frame, Normal, Ray, Vector, power, to_degrees};
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::{Outcome, RayBudget, RayKind, TermSource};
+use groundtruth::trace::{RayBudget, RayKind, TermSource};
 use groundtruth::world::World;
 use text::digits::{short, three};
 
-use crate::laws::is_near_color;
+use crate::laws::{angle_between, is_near_color};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use crate::written::{leaving, media, terms_of, weight};
@@ -38,6 +38,12 @@ pub struct Parting {
     pub words: String,
 }
 
+impl Parting {
+    fn of(ray: usize, what: Part, words: impl Into<String>) -> Self {
+        Self { ray, what, words: words.into() }
+    }
+}
+
 /// What may differ of a ray, in the order in which it is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
@@ -49,14 +55,9 @@ pub enum Part {
     Light,
 }
 
-/// What came of a comparison of a ray and all after it.
-enum Compared {
-    /// All is the same.
-    Same,
-    /// What may differ is drawn, or is not in the log.
-    Unknown,
-    Parted(Parting),
-}
+/// What came of a comparison of a ray and all after it: whether all is the same; if not, what may differ is drawn, or is not in
+/// the log.
+type Compared = Result<bool, Parting>;
 
 /// Where the rays after a camera's ray part, and the rays of which this is as the tracer has it.
 struct Agreement {
@@ -111,10 +112,7 @@ fn compared(
     // which of the reasons of a light without a sample it is does not matter here
     add_unlit((world, &[]), world.draws([0, 0], 0), &mut ours);
     let mut comparison = Comparison { traced, world, agreed: Vec::new() };
-    let parted = match comparison.ray(root, &ours, 1.0) {
-        Compared::Parted(parting) => Some(parting),
-        Compared::Same | Compared::Unknown => None,
-    };
+    let parted = comparison.ray(root, &ours, 1.0).err();
     Some(Agreement { parted, agreed: comparison.agreed })
 }
 
@@ -123,50 +121,42 @@ impl Comparison<'_> {
     fn ray(&mut self, index: usize, ours: &RecordedRay, times: f64) -> Compared {
         let traced = self.traced;
         if !ends_alike(traced, index, ours) {
-            let words = "ends where ours does not".to_owned();
-            return Compared::Parted(Parting { ray: index, what: Part::End, words });
+            return Err(Parting::of(index, Part::End, "ends where ours does not"));
         }
         self.agreed.push((index, Part::End));
         let mut is_whole = self.are_decided(&ours.terms) && self.are_lamps_decided(ours);
         let mut most: Option<(f64, Parting)> = None;
-        for child in ours.children.iter().filter(|child| !is_shadow(child) && is_cast(child)) {
-            let compared = match self.is_sent_alike(ours, child) {
-                true => self.child(index, (ours, child), times),
-                false => Compared::Unknown,
-            };
-            match compared {
-                Compared::Same => {}
-                Compared::Unknown => is_whole = false,
-                Compared::Parted(parting) => {
+        for child in ours.children.iter().filter(|child| !child.is_shadow() && child.is_cast()) {
+            let is_decided = self.is_sent_alike(ours, child);
+            match is_decided.then(|| self.child(index, (ours, child), times)) {
+                Some(Err(parting)) => {
                     let light = (weight(ours, child) * child.radiance).average();
                     most = most.filter(|it| it.0 >= light).or(Some((light, parting)));
                 }
+                same => is_whole &= same == Some(Ok(true)),
             }
         }
-        if let Some((_, parting)) = most {
-            return Compared::Parted(parting);
-        }
-        let parted = self.shadow_ray(index, ours).or_else(|| self.too_much(index, ours));
-        if let Some(parting) = parted {
-            return Compared::Parted(parting);
+        let parted = most.map(|it| it.1).or_else(|| self.shadow_ray(index, ours));
+        if let Some(parting) = parted.or_else(|| self.too_much(index, ours)) {
+            return Err(parting);
         }
         self.agreed.push((index, Part::Way));
         let his = match (traced.ray(index).radiance, is_whole) {
             // what a program calls the radiance of a ray in a medium is not known: that of the one before shows it
-            (_, true) if ours.transmittance != Rgb::WHITE => return Compared::Same,
+            (_, true) if ours.transmittance != Rgb::WHITE => return Ok(true),
             (Some(his), true) => his,
-            _ => return Compared::Unknown,
+            _ => return Ok(false),
         };
         let expected = times * leaving(ours);
         if is_near_color(his, expected, SAME_COLOR) {
             self.agreed.push((index, Part::Light));
-            return Compared::Same;
+            return Ok(true);
         }
         let [his, expected] = [his, expected].map(|it| three(it.to_array()));
-        let is_last = ours.children.iter().all(is_shadow);
+        let is_last = ours.children.iter().all(RecordedRay::is_shadow);
         let after = if is_last { "" } else { ", though the rays after it agree" };
         let words = format!("brings {his}, where ours brings {expected}{after}");
-        Compared::Parted(Parting { ray: index, what: Part::Light, words })
+        Err(Parting::of(index, Part::Light, words))
     }
 
     /// The ray of the log in the place of a child of ours, and all after it.
@@ -178,20 +168,18 @@ impl Comparison<'_> {
     ) -> Compared {
         let traced = self.traced;
         let (kind, counts) = (purpose(child), weight(ours, child));
-        let angle = |index: &usize| angle(traced.ray(*index).direction, child.ray.direction);
+        let angle =
+            |index: &usize| angle_between(traced.ray(*index).direction, child.ray.direction);
         let sent = traced.children[parent].iter().filter(|&&it| traced.ray(it).is(&kind)).copied();
-        let parted =
-            |ray: usize, words: String| Compared::Parted(Parting { ray, what: Part::Way, words });
+        let parted = |ray: usize, words: String| Err(Parting::of(ray, Part::Way, words));
         let Some(index) = sent.min_by(|a, b| angle(a).total_cmp(&angle(b))) else {
             let brings = (counts * child.radiance).average();
             if brings <= NOTHING * leaving(ours).average() {
-                return Compared::Unknown;
+                return Ok(false);
             }
             let counts = three(counts.to_array());
-            return parted(
-                parent,
-                format!("sends no {kind} ray, where ours sends one that counts {counts}"),
-            );
+            let words = format!("sends no {kind} ray, where ours sends one that counts {counts}");
+            return parted(parent, words);
         };
         let apart = angle(&index);
         if apart > SAME_DIRECTION * power(WIDENS, f64::from(child.depth.min(8)) - 1.0) {
@@ -208,29 +196,29 @@ impl Comparison<'_> {
             }
         }
     }
+
     /// A shadow ray to a lamp of our name in another direction than ours.
     fn shadow_ray(&self, parent: usize, ours: &RecordedRay) -> Option<Parting> {
         let traced = self.traced;
         let sign = if traced.conventions.shadow_from_lamp { -1.0 } else { 1.0 };
         let mut one_direction =
-            ours.children.iter().filter(|it| is_shadow(it) && self.is_sent_alike(ours, it));
+            ours.children.iter().filter(|it| it.is_shadow() && self.is_sent_alike(ours, it));
         one_direction.find_map(|child| {
             let is_its = |index: &&usize| {
                 let ray = traced.ray(**index);
                 ray.is(&Purpose::Shadow) && ray.light.is_some() && ray.light == child.light
             };
             let index = *traced.children[parent].iter().find(is_its)?;
-            let apart = angle(sign * traced.ray(index).direction, child.ray.direction);
+            let apart = angle_between(sign * traced.ray(index).direction, child.ray.direction);
             let words = format!("goes {}° beside ours to this lamp", short(to_degrees(apart)));
-            let parting = Parting { ray: index, what: Part::Way, words };
-            (apart > SAME_DIRECTION * WIDENS).then_some(parting)
+            (apart > SAME_DIRECTION * WIDENS).then(|| Parting::of(index, Part::Way, words))
         })
     }
 
     /// A mirrored or refracted ray where ours sends none of its kind, and no draw decides that.
     fn too_much(&self, parent: usize, ours: &RecordedRay) -> Option<Parting> {
-        let sent = || ours.children.iter().filter(|child| !is_shadow(child));
-        let has = |kind: &Purpose| sent().any(|child| is_cast(child) && purpose(child) == *kind);
+        let sent = || ours.children.iter().filter(|child| !child.is_shadow());
+        let has = |kind: &Purpose| sent().any(|child| child.is_cast() && purpose(child) == *kind);
         let traced = self.traced;
         let most = traced.ray(parent).radiance.map_or(0.0, Rgb::average);
         let is_lit = |index: usize| {
@@ -243,11 +231,10 @@ impl Comparison<'_> {
         let is_too_much = |index: &usize| {
             kinds.iter().any(|kind| traced.ray(*index).is(kind) && !has(kind)) && is_lit(*index)
         };
-        let are_all_sent = sent().all(|it| !is_cast(it) || self.is_sent_alike(ours, it));
+        let are_all_sent = sent().all(|it| !it.is_cast() || self.is_sent_alike(ours, it));
         let index =
             traced.children[parent].iter().copied().find(is_too_much).filter(|_| are_all_sent)?;
-        let words = "is sent, where ours sends none".to_owned();
-        Some(Parting { ray: index, what: Part::Way, words })
+        Some(Parting::of(index, Part::Way, "is sent, where ours sends none"))
     }
 
     /// Whether no draw decides where a ray of ours goes and whether it is sent at all.
@@ -321,15 +308,6 @@ fn ends_alike(traced: &Traced, index: usize, ours: &RecordedRay) -> bool {
     }
 }
 
-/// Whether a ray of ours is not beyond the largest depth.
-fn is_cast(ray: &RecordedRay) -> bool {
-    !matches!(ray.outcome, Outcome::TooDeep | Outcome::OverBudget)
-}
-
-fn is_shadow(ray: &RecordedRay) -> bool {
-    matches!(ray.kind, RayKind::Shadow { .. })
-}
-
 fn purpose(ray: &RecordedRay) -> Purpose {
     match ray.kind {
         RayKind::Camera => Purpose::Camera,
@@ -337,9 +315,4 @@ fn purpose(ray: &RecordedRay) -> Purpose {
         RayKind::Transmitted => Purpose::Transmitted,
         RayKind::Shadow { .. } => Purpose::Shadow,
     }
-}
-
-/// The angle between two directions of any length, in radians.
-fn angle(a: Vector, b: Vector) -> f64 {
-    atan2(a.cross(b).length(), a.dot(b))
 }

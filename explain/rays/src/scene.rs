@@ -8,7 +8,7 @@ use groundtruth::math::cos;
 use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::shapes;
 use groundtruth::world::World;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::log::{Log, Named, Purpose};
 
@@ -96,16 +96,11 @@ fn looks(place: usize, is_clear: bool) -> Material {
 
 fn object(place: usize, named: &Named) -> Result<Object, String> {
     let mut fields = named.fields.clone();
-    let shape = fields.remove("shape").unwrap_or_else(|| {
-        // the shape may stand in the line itself, under the name of its kind
-        Value::Object(
-            fields
-                .iter()
-                .filter(|(_, value)| value.is_object())
-                .map(|(key, value)| (key.clone(), value.clone()))
-                .collect::<Map<_, _>>(),
-        )
-    });
+    let shape = match fields.remove("shape") {
+        Some(shape) => shape,
+        // it may stand in the line itself, under the name of its kind
+        None => Value::Object(fields.into_iter().filter(|(_, it)| it.is_object()).collect()),
+    };
     let kind: shapes::Kind =
         serde_json::from_value(shape).map_err(|e| format!("object \"{}\": {e}", named.name))?;
     Ok(Object::new(&named.name, &place.to_string(), kind))

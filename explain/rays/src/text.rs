@@ -39,17 +39,14 @@ impl RayVerdict {
 
     fn held(&self) -> String {
         let (held, rays) = (self.of_outcome(Outcome::Held).count(), self.traced.log.rays.len());
+        let (s, of_rays) = (if rays == 1 { "s" } else { "" }, count(rays, "ray"));
         match held {
-            0 => format!(
-                "{} can be held to no law: the log lacks the fields that they need",
-                count(rays, "ray")
-            ),
-            _ => format!(
-                "{} break{} none of the {} that could be asked",
-                count(rays, "ray"),
-                if rays == 1 { "s" } else { "" },
-                count(held, "law")
-            ),
+            0 => {
+                format!("{of_rays} can be held to no law: the log lacks the fields that they need")
+            }
+            _ => {
+                format!("{of_rays} break{s} none of the {} that could be asked", count(held, "law"))
+            }
         }
     }
 
@@ -78,12 +75,8 @@ impl RayVerdict {
         let line = |it: &PixelVerdict| {
             let pixel = it.pixel.map_or("all".to_owned(), |[x, y]| format!("({x}, {y})"));
             let found = it.first.map_or("breaks no law".to_owned(), |(law, ray)| {
-                format!(
-                    "{}, first by {} ({})",
-                    count(it.findings, "finding"),
-                    self.traced.name(ray),
-                    law.name
-                )
+                let (findings, ray) = (count(it.findings, "finding"), self.traced.name(ray));
+                format!("{findings}, first by {ray} ({})", law.name)
             });
             format!("pixel {pixel}: {}, {found}\n", count(it.rays, "ray"))
         };
@@ -100,44 +93,36 @@ impl RayVerdict {
     pub fn remarks(&self) -> Vec<String> {
         let Traced { log, guessed, conventions, .. } = &self.traced;
         let conventions = conventions.sentences();
-        let mut said = Vec::new();
-        said.extend(self.mistakes.iter().take(EXAMPLES).map(|[name, words]| {
+        let mistakes = self.mistakes.iter().take(EXAMPLES).map(|[name, words]| {
             format!("a program with the known mistake \"{name}\" sends the same rays: {words}")
-        }));
-        said.extend(
-            (!conventions.is_empty())
-                .then(|| format!("taken from the log: {}", conventions.join("; "))),
-        );
-        let guessed = (*guessed > 0).then(|| {
-            format!("the senders of {} were found by where they start", count(*guessed, "ray"))
         });
-        said.extend(guessed);
+        let mut said: Vec<String> = mistakes.collect();
+        if !conventions.is_empty() {
+            said.push(format!("taken from the log: {}", conventions.join("; ")));
+        }
+        if *guessed > 0 {
+            let rays = count(*guessed, "ray");
+            said.push(format!("the senders of {rays} were found by where they start"));
+        }
         let damaged = log.damaged.iter().take(EXAMPLES);
         said.extend(damaged.map(|it| format!("left out: line {}: {}", it.line, it.problem)));
         let more = (log.damaged.len() + log.more_damaged).saturating_sub(EXAMPLES);
-        said.extend(
-            (more > 0).then(|| format!("left out: {}", count(more, "further damaged line"))),
-        );
+        if more > 0 {
+            said.push(format!("left out: {}", count(more, "further damaged line")));
+        }
         said
     }
 
     fn write_law(&self, f: &mut String, law: &RayLaw, asked: &LawReport) -> fmt::Result {
+        let (RayLaw { name, says, .. }, rays) = (law, count(asked.rays, "ray"));
         match asked.outcome() {
             Outcome::NotAsked => {
-                writeln!(f, "  {:<20} needs {}", law.name, self.missing(law).join(", "))?
+                writeln!(f, "  {name:<20} needs {}", self.missing(law).join(", "))?
             }
-            Outcome::Held => {
-                writeln!(f, "  {:<20} {} ({})", law.name, law.says, count(asked.rays, "ray"))?
-            }
+            Outcome::Held => writeln!(f, "  {name:<20} {says} ({rays})")?,
             Outcome::Broken => {
                 let broken = asked.findings.len();
-                writeln!(
-                    f,
-                    "  {:<20} {}: {broken} of {}",
-                    law.name,
-                    law.says,
-                    count(asked.rays, "ray")
-                )?;
+                writeln!(f, "  {name:<20} {says}: {broken} of {rays}")?;
                 let cause = law.cause(asked.roots());
                 cause.into_iter().try_for_each(|cause| writeln!(f, "    {cause}"))?;
                 for finding in asked.findings.iter().take(EXAMPLES) {
@@ -168,11 +153,8 @@ impl RayVerdict {
         let mut printed = 0;
         while let Some((ray, depth)) = open.pop() {
             if printed == MAX_PRINTED {
-                return writeln!(
-                    f,
-                    "… {} further rays of this sample are not printed",
-                    open.len() + 1
-                );
+                let left = open.len() + 1;
+                return writeln!(f, "… {left} further rays of this sample are not printed");
             }
             printed += 1;
             let indent = "    ".repeat(depth.min(20));

@@ -11,7 +11,6 @@ use rayon::prelude::*;
 use crate::conventions::Conventions;
 use crate::laws::{Step, distance_to_truth};
 use crate::log::{Id, Log, Purpose, Ray};
-use crate::placing::Placing;
 use crate::precision::{add_ends, fixed, forget_marks, rounding};
 
 /// Roundings that a quantity of a log may have gone through.
@@ -34,12 +33,10 @@ pub struct Traced {
     pub parents: Vec<Option<usize>>,
     /// The rays that each ray sent, by their indices, in the order of the log.
     pub children: Vec<Vec<usize>>,
-    /// The rays whose `parent` names none, or whose name another ray has.
-    pub orphans: Vec<Orphan>,
+    /// The rays whose place in the tree is not known, and why.
+    pub orphans: Vec<(usize, Orphan)>,
     /// The number of rays whose sender was found by where they start.
     pub guessed: usize,
-    /// Rays that follow from each other in a circle.
-    pub cycles: Vec<usize>,
     /// The relative error of a number of the log.
     pub rounding: f64,
     /// The absolute error, if its numbers have a fixed number of decimals.
@@ -64,21 +61,22 @@ pub struct Traced {
     pub(crate) places: [HashMap<Arc<str>, u32>; 2],
 }
 
-/// A ray whose place in the tree is not known.
+/// Why the place of a ray in the tree is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Orphan {
     /// Its parent is no ray of its sample.
-    Parentless(usize),
+    Parentless,
     /// A ray before it in its sample has the same name.
-    Twin(usize),
+    Twin,
+    /// It is sent by a ray that it sent itself.
+    InCircle,
 }
 
 impl Traced {
     /// Finds senders, precision and conventions.
     pub fn of(mut log: Log, world: Option<Arc<World>>) -> Self {
-        if let Some(placing) = Placing::of(&log) {
-            placing.apply(&mut log);
-        }
+        let placing = log.head.placing;
+        placing.apply(&mut log);
         forget_marks(&mut log);
         add_ends(&mut log);
         let rounding = rounding(&log);
@@ -95,7 +93,6 @@ impl Traced {
             children: Vec::new(),
             orphans: Vec::new(),
             guessed: 0,
-            cycles: Vec::new(),
             rounding,
             fixed,
             sizes,
@@ -157,6 +154,11 @@ impl Traced {
     /// The world of the scene that the head names, with its lamps, materials and camera.
     pub fn scene_world(&self) -> Option<&World> {
         self.world.as_deref().filter(|_| self.log.head.scene.is_some())
+    }
+
+    /// The rays with their indices.
+    pub fn rays(&self) -> impl Iterator<Item = (usize, &Ray)> {
+        self.log.rays.iter().enumerate()
     }
 
     /// The ray of this index.
@@ -227,11 +229,10 @@ impl Traced {
             self.samples().par_iter().map(|rays| self.senders(rays, guesses)).collect();
         let count = self.log.rays.len();
         (self.parents, self.children) = (vec![None; count], vec![Vec::new(); count]);
-        (self.orphans, self.cycles, self.guessed) = (Vec::new(), Vec::new(), 0);
+        (self.orphans, self.guessed) = (Vec::new(), 0);
         for of_sample in found {
             self.guessed += of_sample.guessed;
             self.orphans.extend(of_sample.orphans);
-            self.cycles.extend(of_sample.cycles);
             for (ray, parent) in of_sample.parents {
                 self.parents[ray] = Some(parent);
                 self.children[parent].push(ray);
@@ -261,7 +262,7 @@ impl Traced {
             rays.iter().filter_map(|&it| Some((self.ray(it).id.as_ref()?, it))).collect();
         names.sort();
         let twins = names.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-        found.orphans.extend(twins.map(|pair| Orphan::Twin(pair[1].1)));
+        found.orphans.extend(twins.map(|pair| (pair[1].1, Orphan::Twin)));
         let named = |id: &Id| {
             let after = names.partition_point(|(name, _)| *name <= id);
             names[..after].last().filter(|(name, _)| *name == id).map(|(_, ray)| *ray)
@@ -276,7 +277,7 @@ impl Traced {
             found.guessed += usize::from(parent.is_some() && ray.parent.is_none());
             found.parents.extend(parent.map(|parent| (index, parent)));
             let is_lost = parent.is_none() && ray.parent.is_some();
-            found.orphans.extend(is_lost.then_some(Orphan::Parentless(index)));
+            found.orphans.extend(is_lost.then_some((index, Orphan::Parentless)));
         }
         found.break_cycles();
         found
@@ -311,8 +312,7 @@ impl Traced {
 struct Senders {
     /// Rays with the rays that sent them, in the order of the log.
     parents: Vec<(usize, usize)>,
-    orphans: Vec<Orphan>,
-    cycles: Vec<usize>,
+    orphans: Vec<(usize, Orphan)>,
     guessed: usize,
 }
 
@@ -332,7 +332,7 @@ impl Senders {
                 at = *parent;
             }
             if !known_to_end.contains(&at) && up.contains_key(&at) {
-                self.cycles.push(at);
+                self.orphans.push((at, Orphan::InCircle));
                 up.remove(&at);
             }
             known_to_end.extend(way);
@@ -363,10 +363,7 @@ fn least_t(traced: &Traced) -> f64 {
 fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {
     let size_of = |object: &PlacedObject| {
         let bounds = object.shape.bounds();
-        let corner = |point: Point| point.to_vector().max_abs();
-        bounds
-            .is_bounded()
-            .then(|| (Arc::clone(&object.name), corner(bounds.min).max(corner(bounds.max))))
+        bounds.is_bounded().then(|| (Arc::clone(&object.name), bounds.largest_coordinate()))
     };
     world.map_or(HashMap::new(), |world| world.objects().iter().filter_map(size_of).collect())
 }

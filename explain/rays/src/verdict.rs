@@ -107,10 +107,8 @@ impl RayVerdict {
         &self,
         outcome: Outcome,
     ) -> impl Iterator<Item = (&'static RayLaw, &LawReport)> {
-        self.asked
-            .iter()
-            .filter(move |(_, asked)| asked.outcome() == outcome)
-            .map(|(law, asked)| (*law, asked))
+        let all = self.asked.iter().map(|(law, asked)| (*law, asked));
+        all.filter(move |(_, asked)| asked.outcome() == outcome)
     }
 
     /// What a law found.
@@ -136,10 +134,8 @@ impl RayVerdict {
     pub fn of_ray(&self, ray: usize) -> impl Iterator<Item = (&'static RayLaw, &BrokenRay)> {
         self.asked.iter().flat_map(move |(law, asked)| {
             let first = asked.findings.partition_point(|finding| finding.ray < ray);
-            asked.findings[first..]
-                .iter()
-                .take_while(move |finding| finding.ray == ray)
-                .map(|finding| (*law, finding))
+            let its = asked.findings[first..].iter().take_while(move |it| it.ray == ray);
+            its.map(|finding| (*law, finding))
         })
     }
 

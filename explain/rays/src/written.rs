@@ -41,10 +41,7 @@ fn with_senders<'a>(
 ) -> Vec<(&'a RecordedRay, Option<&'a RecordedRay>)> {
     let mut rays = vec![(ray, sender)];
     // a ray beyond the largest depth is never cast
-    let cast = ray
-        .children
-        .iter()
-        .filter(|child| !matches!(child.outcome, Outcome::TooDeep | Outcome::OverBudget));
+    let cast = ray.children.iter().filter(|child| child.is_cast());
     rays.extend(cast.flat_map(|child| with_senders(child, Some(ray))));
     rays
 }
@@ -112,8 +109,7 @@ pub fn media(sender: Option<&RecordedRay>) -> Option<[f64; 2]> {
 /// What is emitted, what is added without a ray, and what leaves the surface in all.
 fn light(ray: &RecordedRay) -> Value {
     let radiance = leaving(ray).to_array();
-    let is_shadow = |ray: &RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
-    if is_shadow(ray) {
+    if ray.is_shadow() {
         return json!({"radiance": radiance});
     }
     let is_emitted = |term: &RecordedTerm| {
@@ -121,7 +117,7 @@ fn light(ray: &RecordedRay) -> Value {
     };
     let emitted = sum(ray, |term| term.ray.is_none() && is_emitted(term));
     let local = sum(ray, |term| term.ray.is_none() && !is_emitted(term));
-    let lit = ray.children.iter().filter(|child| is_shadow(child));
+    let lit = ray.children.iter().filter(|child| child.is_shadow());
     let by_ray =
         lit.flat_map(|child| ray.terms.iter().filter(move |term| term.ray == Some(child.number)));
     let direct: Rgb = local + by_ray.map(|term| term.value).sum();

@@ -39,7 +39,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         return;
     }
     let (seen, glass) = (seen(traced), glass(traced));
-    for (index, ray) in traced.log.rays.iter().enumerate().filter(|_| !seen.is_empty()) {
+    for (index, ray) in traced.rays().filter(|_| !seen.is_empty()) {
         let Some(direction) = ray.direction.unit().filter(|_| ray.origin.is_finite()) else {
             continue;
         };
@@ -74,14 +74,12 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 quoted(Some(&it.name), ""),
                 short(at)
             );
-            (
-                words,
-                [
-                    ("farther-object", !ray.is_shadow() && !enters && end.is_finite()),
-                    ("root-not-tried", enters),
-                    ("shadow-unblocked", ray.is_shadow()),
-                ],
-            )
+            let causes = [
+                ("farther-object", !ray.is_shadow() && !enters && end.is_finite()),
+                ("root-not-tried", enters),
+                ("shadow-unblocked", ray.is_shadow()),
+            ];
+            (words, causes)
         });
     }
 }
@@ -89,7 +87,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
 /// The planes and balls on which all hits of an object lie.
 fn seen(traced: &Traced) -> Vec<Seen> {
     let mut objects: BTreeMap<&Arc<str>, Vec<(Point, Vector, Vector)>> = BTreeMap::new();
-    for (index, ray) in traced.log.rays.iter().enumerate().filter(|(_, ray)| !ray.is_shadow()) {
+    for (index, ray) in traced.rays().filter(|(_, ray)| !ray.is_shadow()) {
         if let (Some(name), Some(end), Some(normal)) =
             (&ray.object, traced.end_point(index), ray.normal)
         {
@@ -135,16 +133,14 @@ impl Seen {
         let normal = Normal::new(self.surface.normal(place)).filter(|_| (0..3).all(is_inside));
         let Some(normal) = normal else { return false };
         let (frame, along) = (Frame::around(normal), Vector::from(normal).dot(direction) > 0.0);
-        let near = self
-            .hits
-            .iter()
-            .filter(|(hit, side)| *side == along && hit.distance(place) <= 6.0 * self.spacing);
-        let mut turns: Vec<f64> = near
-            .map(|(hit, _)| {
-                let local = frame.to_local(*hit - place);
-                atan2(local.y(), local.x())
-            })
-            .collect();
+        let is_near = |(hit, side): &&(Point, bool)| {
+            *side == along && hit.distance(place) <= 6.0 * self.spacing
+        };
+        let turn = |(hit, _): &(Point, bool)| {
+            let local = frame.to_local(*hit - place);
+            atan2(local.y(), local.x())
+        };
+        let mut turns: Vec<f64> = self.hits.iter().filter(is_near).map(turn).collect();
         turns.sort_by(f64::total_cmp);
         let gaps = turns.windows(2).map(|pair| pair[1] - pair[0]);
         let last = turns.first().zip(turns.last()).map_or(f64::INFINITY, |(a, b)| a + 2.0 * PI - b);

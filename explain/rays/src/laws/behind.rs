@@ -6,7 +6,7 @@ use text::digits::short;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let glass = glass(traced);
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let (true, Some(t), Some(end)) = (ray.is(&Purpose::Shadow), ray.t, ray.end) else {
             continue;
         };
@@ -37,16 +37,14 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             };
             let is_behind = !is_own && !is_unused;
             let is_far = is_behind && t >= 0.0;
-            (
-                words,
-                [
-                    ("distance-not-compared", is_far && !is_scaled),
-                    ("distance-in-other-units", is_far && is_scaled),
-                    ("behind-start", is_behind && t < 0.0),
-                    ("lamp-blocks-itself", is_own),
-                    ("answer-not-used", is_unused),
-                ],
-            )
+            let causes = [
+                ("distance-not-compared", is_far && !is_scaled),
+                ("distance-in-other-units", is_far && is_scaled),
+                ("behind-start", is_behind && t < 0.0),
+                ("lamp-blocks-itself", is_own),
+                ("answer-not-used", is_unused),
+            ];
+            (words, causes)
         });
     }
 }

@@ -22,14 +22,8 @@ struct Film {
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let is_camera = |ray: &(usize, &Ray)| ray.1.is(&Purpose::Camera) && ray.1.pixel.is_some();
-    let rays: Vec<(usize, &Ray)> = traced
-        .log
-        .rays
-        .iter()
-        .enumerate()
-        .filter(is_camera)
-        .filter(|it| it.1.direction.is_finite() && it.1.origin.is_finite())
-        .collect();
+    let is_finite = |ray: &(usize, &Ray)| ray.1.direction.is_finite() && ray.1.origin.is_finite();
+    let rays: Vec<(usize, &Ray)> = traced.rays().filter(is_camera).filter(is_finite).collect();
     let Some(film) = film(&rays.iter().map(|it| it.1).collect::<Vec<_>>(), traced.scale) else {
         asked.notes.extend((extent(&rays) >= 2.0).then(|| "the camera rays pass no flat film from one eye (a lens, a panorama, an orthographic camera): they are not judged".to_owned()));
         return;

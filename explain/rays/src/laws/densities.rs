@@ -36,11 +36,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let factors = &it.ray.factors;
         // the density that the factors imply, if none is logged
         let implied = || {
-            Some(
-                factors.f?.max() * factors.cos?
-                    / factors.weight?.max()
-                    / factors.choice.unwrap_or(1.0),
-            )
+            let product = factors.f?.max() * factors.cos?;
+            Some(product / factors.weight?.max() / factors.choice.unwrap_or(1.0))
         };
         let claim = match factors.pdf.or_else(implied) {
             Some(pdf) => {
@@ -58,10 +55,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     }
     let (Some(first), Some(&claim)) = (first.filter(|_| claims.len() >= FEW), claims.first())
     else {
-        asked.notes.extend(
-            (!claims.is_empty())
-                .then(|| format!("{} directions decide nothing; {FEW} are needed", claims.len())),
-        );
+        let few = format!("{} directions decide nothing; {FEW} are needed", claims.len());
+        asked.notes.extend((!claims.is_empty()).then_some(few));
         return;
     };
     if claims.iter().any(|it| *it != claim) {
@@ -71,9 +66,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     asked.is_of_all = true;
     let level = LEVEL / TESTS;
     let p = |distribution: fn(f64) -> f64| {
-        ks::uniform(
-            &cosines.iter().map(|&cos| distribution(cos.clamp(0.0, 1.0))).collect::<Vec<_>>(),
-        )
+        let shares = cosines.iter().map(|&cos| distribution(cos.clamp(0.0, 1.0)));
+        ks::uniform(&shares.collect::<Vec<_>>())
     };
     let cosine: fn(f64) -> f64 = |cos| cos * cos;
     let uniform: fn(f64) -> f64 = |cos| cos;
@@ -94,12 +88,10 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     ];
     let mean = cosines.iter().sum::<f64>() / cosines.len() as f64;
     let should = if claim == Claim::Cosine { 2.0 / 3.0 } else { 0.5 };
+    let [mean, should, p] = [mean, should, polar.min(round)].map(short);
     let words = format!(
-        "is one of {} whose cosines to the normal have the mean {}, where the density gives {} (p {})",
-        cosines.len(),
-        short(mean),
-        short(should),
-        short(polar.min(round))
+        "is one of {} whose cosines to the normal have the mean {mean}, where the density gives {should} (p {p})",
+        cosines.len()
     );
     asked.find(first, words, causes);
 }

@@ -33,10 +33,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let Some([weight, before]) = sum.filter(|_| traced.end_point(parent).is_some()) else {
             continue;
         };
-        objects
-            .entry(traced.ray(parent).object.as_ref())
-            .or_default()
-            .push((parent, weight, before));
+        let hits = objects.entry(traced.ray(parent).object.as_ref()).or_default();
+        hits.push((parent, weight, before));
     }
     for hits in objects.into_values() {
         if hits.len() < FEW || hits.iter().all(|it| it.1 == 0.0) {

@@ -17,7 +17,7 @@ const NEAR: f64 = 2e-3;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut lamps: BTreeMap<_, Vec<(usize, f64, f64)>> = BTreeMap::new();
-    for (index, ray) in traced.log.rays.iter().enumerate().filter(|(_, ray)| is_lit(ray)) {
+    for (index, ray) in traced.rays().filter(|(_, ray)| is_lit(ray)) {
         let far = traced.way_to_lamp(ray).map(|way| way.length());
         let light = ray.radiance.map(|light| light.max());
         if let (Some(far), Some(light)) = (far.filter(|far| far.is_finite() && *far > 0.0), light) {
@@ -46,12 +46,10 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 let &(_, other, brightness) = if is_near { farthest } else { nearest };
                 let part = short(light / brightness);
                 let [far, other] = [far, other].map(short);
-                (
-                    format!(
-                        "brings {part} times as much from a lamp {far} away as from {other} away"
-                    ),
-                    wrong,
-                )
+                let words = format!(
+                    "brings {part} times as much from a lamp {far} away as from {other} away"
+                );
+                (words, wrong)
             });
         }
     }

@@ -4,7 +4,7 @@ use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let bad = first_bad(ray);
         asked.count(index, bad.is_none(), || {
             let (field, what) = bad.unwrap_or(("", "is not a number"));

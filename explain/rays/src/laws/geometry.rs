@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::{Point, Vector, atan2};
 use groundtruth::printable;
 
 use crate::conventions::Normals;
@@ -104,6 +104,11 @@ impl Leaving<'_> {
 /// Whether two vectors are the same but for this relative error.
 pub fn is_near(a: Vector, b: Vector, tolerance: f64) -> bool {
     (a - b).length() <= tolerance * b.length()
+}
+
+/// The angle between two directions of any length, in radians.
+pub fn angle_between(a: Vector, b: Vector) -> f64 {
+    atan2(a.cross(b).length(), a.dot(b))
 }
 
 /// By which part of the largest of these positive numbers they differ.

@@ -6,6 +6,7 @@ use super::geometry::{leaving, quoted};
 use crate::log::Named;
 use crate::traced::{Traced, median, size};
 use groundtruth::math::{Point, Vector, atan2, to_degrees};
+use serde_json::Value;
 use text::digits::short;
 
 /// The part of a lamp's shadow rays that have to meet for it to be a point; of those that name no lamp nearly all, to be of one.
@@ -102,11 +103,8 @@ fn is_soft(lines: &[Line], target: Target) -> bool {
     let Target::Direction(direction) = target else { return false };
     let off: Vec<Vector> = lines.iter().map(|line| line.towards - direction).collect();
     let is_near = off.iter().all(|off| off.length() < SOFT);
-    let scatters = off
-        .windows(2)
-        .filter(|pair| (pair[0] - pair[1]).length() > 1e-2 * pair[0].length())
-        .count();
-    is_near && 2 * scatters > off.len()
+    let differ = |pair: &&[Vector]| (pair[0] - pair[1]).length() > 1e-2 * pair[0].length();
+    is_near && 2 * off.windows(2).filter(differ).count() > off.len()
 }
 
 /// The radius of a soft sun, as a sine.
@@ -160,27 +158,23 @@ fn check_line(line: &Line, target: Target, name: Option<&Arc<str>>, asked: &mut 
 
 /// Where the lamp's line says that it is.
 fn target(lamp: &Named) -> Option<Target> {
-    let triple =
-        |field: &str| serde_json::from_value::<[f64; 3]>(lamp.fields.get(field)?.clone()).ok();
-    let directional = lamp.fields.get("directional");
-    let nested = directional.and_then(|it| it.get("direction")).or(directional);
-    let direction = || {
-        let numbers: [f64; 3] = serde_json::from_value(nested?.clone()).ok()?;
-        Vector::from(numbers).unit().map(Target::Direction)
-    };
-    triple("point").map(|place| Target::Place(Point::from(place))).or_else(direction)
+    let triple = |value: &Value| serde_json::from_value::<[f64; 3]>(value.clone()).ok();
+    if let Some(place) = lamp.fields.get("point").and_then(triple) {
+        return Some(Target::Place(Point::from(place)));
+    }
+    let directional = lamp.fields.get("directional")?;
+    let numbers = triple(directional.get("direction").unwrap_or(directional))?;
+    Vector::from(numbers).unit().map(Target::Direction)
 }
 
 /// The direction that this part of the lines has, if they have one.
 fn common_direction(lines: &[Line], most: f64) -> Option<Target> {
     let middle = |axis: usize| median(lines.iter().map(|line| line.towards.along(axis)).collect());
     let direction = Vector::new(middle(0)?, middle(1)?, middle(2)?).unit()?;
-    let along = lines
-        .iter()
-        .filter(|line| line.towards.cross(direction).length() <= line.tolerance)
-        .count();
-    (lines.len() >= FEW && along as f64 >= most * lines.len() as f64)
-        .then_some(Target::Direction(direction))
+    let is_along = |line: &&Line| line.towards.cross(direction).length() <= line.tolerance;
+    let along = lines.iter().filter(is_along).count();
+    let is_common = lines.len() >= FEW && along as f64 >= most * lines.len() as f64;
+    is_common.then_some(Target::Direction(direction))
 }
 
 /// The point that this part of the lines passes, if they do: the median of where pairs of them are nearest.

@@ -40,7 +40,7 @@ type Sample = (usize, Point, Vector, f64, f64);
 
 fn samples(traced: &Traced) -> BTreeMap<Arc<str>, Vec<Sample>> {
     let mut lamps: BTreeMap<_, Vec<Sample>> = BTreeMap::new();
-    for (index, ray) in traced.log.rays.iter().enumerate().filter(|it| it.1.is(&Purpose::Shadow)) {
+    for (index, ray) in traced.rays().filter(|it| it.1.is(&Purpose::Shadow)) {
         let (Some(way), Some(light)) = (traced.way_to_lamp(ray), &ray.light) else { continue };
         let (Some(pdf), Some(direction)) = (ray.factors.pdf, ray.direction.unit()) else {
             continue;
@@ -81,11 +81,11 @@ fn drawn_one(traced: &Traced, lamp: &Arc<str>, samples: &[Sample]) -> Option<Dra
 
 /// How the points of each lamp are drawn, as far as it is understood.
 pub fn drawn(traced: &Traced) -> BTreeMap<Arc<str>, Drawn> {
-    let lamps = samples(traced);
-    lamps
-        .iter()
-        .filter_map(|(lamp, samples)| Some((Arc::clone(lamp), drawn_one(traced, lamp, samples)?)))
-        .collect()
+    let one = |(lamp, samples): (Arc<str>, Vec<Sample>)| {
+        let drawn = drawn_one(traced, &lamp, &samples)?;
+        Some((lamp, drawn))
+    };
+    samples(traced).into_iter().filter_map(one).collect()
 }
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
@@ -123,26 +123,24 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                     _ if is_point => {
                         format!("goes to the one point of {lamp} that all go to, though it has a density")
                     }
-                    (true, _) => format!(
-                        "brings light from the side of {lamp} that is dark to rays that hit it"
-                    ),
+                    (true, _) => {
+                        format!("brings light from the side of {lamp} that is dark to rays that hit it")
+                    }
                     (_, true) => {
                         format!("has the density {pdf}, where a point of {lamp} has {should}")
                     }
-                    _ => format!(
-                        "has the density {pdf}, which does not depend on {lamp} as a density does"
-                    ),
+                    _ => {
+                        format!("has the density {pdf}, which does not depend on {lamp} as a density does")
+                    }
                 };
-                (
-                    words,
-                    [
-                        ("per-area", wrong[0]),
-                        ("cosine-at-lamp-missing", wrong[1]),
-                        ("one-point", is_point),
-                        ("constant-factor", is_scaled),
-                        ("one-side-without-sign", is_behind),
-                    ],
-                )
+                let causes = [
+                    ("per-area", wrong[0]),
+                    ("cosine-at-lamp-missing", wrong[1]),
+                    ("one-point", is_point),
+                    ("constant-factor", is_scaled),
+                    ("one-side-without-sign", is_behind),
+                ];
+                (words, causes)
             });
         }
     }

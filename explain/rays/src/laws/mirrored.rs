@@ -1,10 +1,10 @@
 use std::collections::HashMap;
 
 use super::LawReport;
-use super::geometry::{Leaving, is_near, leaving, mirrored};
+use super::geometry::{Leaving, angle_between, is_near, leaving, mirrored};
 use crate::log::Purpose;
 use crate::traced::Traced;
-use groundtruth::math::{Vector, atan2, to_degrees};
+use groundtruth::math::{Vector, to_degrees};
 use text::digits::short;
 
 /// So many rays of an object show whether they scatter about the mirrored direction.
@@ -52,8 +52,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         asked.count(it.index, holds, || {
-            let angle = atan2(expected.cross(it.leaving).length(), expected.dot(it.leaving));
-            (format!("leaves {}° from the mirrored direction", short(to_degrees(angle))), causes)
+            let angle = short(to_degrees(angle_between(expected, it.leaving)));
+            (format!("leaves {angle}° from the mirrored direction"), causes)
         });
         asked.expect(it.index, expected.unit());
     }

@@ -143,7 +143,7 @@ fn lamp_side<'a>(traced: &Traced, ray: &'a Ray) -> Option<(Option<&'a Arc<str>>,
 fn unmirrored(traced: &Traced) -> HashSet<(Option<&Arc<str>>, bool)> {
     let mut sides: HashMap<_, [Vec<bool>; 2]> = HashMap::new();
     let is_sampled = |it: usize| traced.children[it].iter().any(|it| traced.ray(*it).is_shadow());
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let mut before = traced.way_up(index).skip(1);
         let is_camera = ray.is(&Purpose::Camera);
         let is_seen = is_mirrored(ray)
@@ -168,12 +168,8 @@ fn matte(traced: &Traced) -> HashMap<Option<&Arc<str>>, bool> {
     let mut objects: HashMap<_, (usize, bool)> = HashMap::new();
     for it in leaving(traced).filter(|it| !it.ray.is_shadow()) {
         let cosine = it.facing().map(|facing| facing.dot(it.leaving) / PI);
-        let is_cosine = it
-            .ray
-            .factors
-            .pdf
-            .zip(cosine)
-            .is_some_and(|(pdf, cosine)| (pdf - cosine).abs() <= 1e-3 * pdf);
+        let is_near = |(pdf, cosine): (f64, f64)| (pdf - cosine).abs() <= 1e-3 * pdf;
+        let is_cosine = it.ray.factors.pdf.zip(cosine).is_some_and(is_near);
         let (count, is_matte) = objects.entry(it.parent.object.as_ref()).or_insert((0, true));
         (*count, *is_matte) = (*count + 1, *is_matte && is_cosine);
     }

@@ -43,7 +43,7 @@ use groundtruth::math::Vector;
 
 use crate::traced::Traced;
 pub use as_ours::partings;
-pub use geometry::Step;
+pub use geometry::{Step, angle_between};
 pub use nearest::distance_to_truth;
 pub use pixel::Passes;
 pub use weight::is_near as is_near_color;

@@ -19,7 +19,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     let objects = || traced.log.rays.iter().filter_map(|ray| ray.object.as_ref());
     let hit: LazyCell<HashSet<_>, _> = LazyCell::new(|| objects().collect());
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         if ray.is_shadow() || !(ray.origin.is_finite() && ray.direction.is_finite()) {
             continue;
         }

@@ -15,15 +15,10 @@ const GRAZING: f64 = 0.03;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
-    let blockers: HashSet<_> = traced
-        .log
-        .rays
-        .iter()
-        .filter(|ray| ray.is(&Purpose::Shadow))
-        .filter_map(|ray| ray.object.as_ref())
-        .collect();
+    let shadows = traced.log.rays.iter().filter(|ray| ray.is(&Purpose::Shadow));
+    let blockers: HashSet<_> = shadows.filter_map(|ray| ray.object.as_ref()).collect();
     let glass = glass(traced);
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let Some(parent) = traced.parent(index).filter(|_| ray.is(&Purpose::Shadow)) else {
             continue;
         };
@@ -42,16 +37,14 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let cosine =
             |hit: &Hit<'_>| Vector::from(hit.surface.normal).dot(ray.direction).abs() / length;
         // one that leaves along its surface, or below it, is for rounding to decide
-        let leaves = parent
-            .normal
-            .and_then(Vector::unit)
-            .map_or(1.0, |n| n.dot(ray.direction).abs() / length);
+        let normal = parent.normal.and_then(Vector::unit);
+        let leaves = normal.map_or(1.0, |n| n.dot(ray.direction).abs() / length);
         let lamp = ray.object.is_some() && ray.object == ray.light;
         let is_told =
             leaves > GRAZING && ours.as_ref().is_none_or(|hit| cosine(hit) > GRAZING) && !lamp;
-        let t = ray
-            .t
-            .map(|t| (traced.along(ray, t) - ray.origin).dot(ray.direction) / (length * length));
+        let in_lengths =
+            |t| (traced.along(ray, t) - ray.origin).dot(ray.direction) / (length * length);
+        let t = ray.t.map(in_lengths);
         let near = t.is_some_and(|t| t >= 0.0 && t <= 2.0 * min);
         let far = t.is_some_and(|t| t >= end);
         // the log may name some of the objects only
@@ -80,25 +73,20 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         asked.count(index, is_blocked == ours.is_some(), || {
-            let by = quoted(
-                ours.as_ref().map(|hit| &hit.object.name).or(ray.object.as_ref()),
-                "something",
-            );
+            let ours_name = ours.as_ref().map(|hit| &hit.object.name);
+            let by = quoted(ours_name.or(ray.object.as_ref()), "something");
             let words = match ours.is_some() {
                 true => format!("reaches its lamp, though {by} is in the way"),
                 false => format!("is blocked by {by}, though nothing is in the way"),
             };
-            let is_forgotten =
-                ours.as_ref().is_some_and(|hit| !blockers.contains(&hit.object.name));
-            (
-                words,
-                [
-                    ("forgotten-object", is_forgotten),
-                    ("behind-lamp", far),
-                    ("behind-start", ray.t.is_some_and(|t| t < 0.0)),
-                    ("nothing-there", ours.is_none() && !far),
-                ],
-            )
+            let is_forgotten = ours_name.is_some_and(|name| !blockers.contains(name));
+            let causes = [
+                ("forgotten-object", is_forgotten),
+                ("behind-lamp", far),
+                ("behind-start", ray.t.is_some_and(|t| t < 0.0)),
+                ("nothing-there", ours.is_none() && !far),
+            ];
+            (words, causes)
         });
     }
 }

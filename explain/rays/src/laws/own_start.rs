@@ -42,10 +42,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let what = quoted(it.ray.object.as_ref(), "something");
             let verb = if it.ray.is_shadow() { "is blocked by" } else { "hits" };
             let own = if it.ray.object.is_some() && is_same { " itself" } else { "" };
-            (
-                format!("{verb} {what}{own} {} away from its start", short(near)),
-                [("no-offset", !to_wrong_side), ("offset-to-wrong-side", to_wrong_side)],
-            )
+            let words = format!("{verb} {what}{own} {} away from its start", short(near));
+            (words, [("no-offset", !to_wrong_side), ("offset-to-wrong-side", to_wrong_side)])
         });
     }
 }

@@ -23,10 +23,9 @@ struct Part<'a> {
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 64.0 * traced.tolerance();
     let has_hit = |ray: usize| traced.end_point(ray).is_some();
-    let roots = || {
-        (0..traced.log.rays.len())
-            .filter(|&it| traced.parents[it].is_none() && traced.ray(it).is(&Purpose::Camera))
-    };
+    let is_root =
+        |it: &usize| traced.parents[*it].is_none() && traced.ray(*it).is(&Purpose::Camera);
+    let roots = || (0..traced.log.rays.len()).filter(is_root);
     let is_dark = |it: usize| traced.ray(it).radiance.is_some_and(|light| light.max() == 0.0);
     let is_black = roots().any(|it| !has_hit(it) && is_dark(it));
     let mut lamps: HashMap<Option<&Arc<str>>, Rgb> = HashMap::new();
@@ -51,17 +50,15 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let only = |shadow: bool| {
                 sum(&|it| if it.is_shadow == shadow { with_mis(it) } else { Rgb::BLACK })
             };
+            let alone = |it: &Part<'_>| {
+                if it.is_shadow { it.weight * it.light } else { with_mis(it) }
+            };
+            let unblocked = |it: &Part<'_>| {
+                with_mis(it) + of_lamp(it).map_or(Rgb::BLACK, |light| it.throughput * light)
+            };
             let causes = [
-                (
-                    "direct-without-throughput",
-                    is(sum(&|it| if it.is_shadow { it.weight * it.light } else { with_mis(it) })),
-                ),
-                (
-                    "blocked-added",
-                    is(sum(&|it| {
-                        with_mis(it) + of_lamp(it).map_or(Rgb::BLACK, |light| it.throughput * light)
-                    })),
-                ),
+                ("direct-without-throughput", is(sum(&alone))),
+                ("blocked-added", is(sum(&unblocked))),
                 ("hits-left-out", is(only(true))),
                 ("direct-left-out", is(only(false))),
             ];

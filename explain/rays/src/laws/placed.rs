@@ -10,7 +10,7 @@ const FEW: usize = 8;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
-    let hits = traced.log.rays.iter().enumerate().filter(|(_, ray)| {
+    let hits = traced.rays().filter(|(_, ray)| {
         let is_told = ray.t.is_some_and(|t| t.is_finite() && t > 1e-3 * traced.scale);
         is_told && !ray.is_shadow() && ray.origin.is_finite() && ray.direction.unit().is_some()
     });
@@ -31,9 +31,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     };
     asked.is_of_all = true;
     let (enough, as_it_is) = (9 * some.len() / 10, agree(&Placing::default()));
-    let other = (2 * as_it_is < some.len())
-        .then(|| Placing::others().find(|placing| agree(placing) >= enough))
-        .flatten();
+    let mut others = Placing::others().filter(|_| 2 * as_it_is < some.len());
+    let other = others.find(|placing| agree(placing) >= enough);
     asked.rays += some.len() - 1;
     asked.count(some[0].0, other.is_none(), || {
         let placing = other.expect("it breaks the law");
@@ -42,11 +41,9 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             ("exchanged-axes", !placing.is_mirrored() && placing.scale == 1.0),
             ("unit-of-length", placing.scale != 1.0),
         ];
-        (
-            format!(
-                "is one of those that miss the objects of the log, and hit them after {placing}"
-            ),
-            causes,
-        )
+        let words = format!(
+            "is one of those that miss the objects of the log, and hit them after {placing}"
+        );
+        (words, causes)
     });
 }

@@ -15,7 +15,7 @@ struct Parts {
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 8.0 * traced.tolerance();
     let has_shadow_rays = direct_has_shadow_rays(traced, tolerance);
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let Some(radiance) = ray.radiance.filter(|it| is_finite(*it)) else { continue };
         if ray.is_shadow() {
             continue;
@@ -30,9 +30,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         // what is emitted may stand with its MIS weight or without it
         let mis = ray.factors.mis.unwrap_or(1.0);
         let split = expected - (1.0 - mis) * parts.emitted;
-        let holds = [expected, split]
-            .iter()
-            .any(|it| is_near(radiance, *it, tolerance) || is_within(radiance, *it, traced));
+        let fits = |it| is_near(radiance, it, tolerance) || is_within(radiance, it, traced);
+        let holds = [expected, split].into_iter().any(fits);
         asked.count(index, holds, || {
             let is = |color: Rgb| is_near(radiance, color, tolerance);
             let each = || parts.children.iter().map(|(weight, light)| *weight * *light);
@@ -68,7 +67,7 @@ fn direct_has_shadow_rays(traced: &Traced, tolerance: f64) -> bool {
             let (radiance, parts) = (ray.radiance?, parts(traced, index, has)?);
             Some(is_near(radiance, parts.sum(), tolerance))
         };
-        let rays = traced.log.rays.iter().enumerate().filter(|(_, ray)| ray.direct.is_some());
+        let rays = traced.rays().filter(|(_, ray)| ray.direct.is_some());
         rays.take(ENOUGH).filter_map(of).filter(|fits| *fits).count()
     };
     fits(true) >= fits(false)
@@ -79,10 +78,8 @@ fn parts(traced: &Traced, index: usize, direct_has_shadow_rays: bool) -> Option<
     let ray = traced.ray(index);
     let children = &traced.children[index];
     let leaves_out = ray.direct.is_some() && direct_has_shadow_rays;
-    let counted = children
-        .iter()
-        .map(|&child| traced.ray(child))
-        .filter(|child| !(leaves_out && child.is_shadow()));
+    let children = children.iter().map(|&child| traced.ray(child));
+    let counted = children.filter(|child| !(leaves_out && child.is_shadow()));
     let children: Vec<(Rgb, Rgb)> =
         counted.map(|child| child.factors.weight.zip(child.radiance)).collect::<Option<_>>()?;
     // without any part there is nothing to add up: it may be a background, or a lamp that was not written down

@@ -2,7 +2,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::LawReport;
-use super::geometry::{Leaving, is_near, leaving, refracted};
+use super::geometry::{Leaving, angle_between, is_near, leaving, refracted};
 use crate::log::Purpose;
 use crate::traced::{Traced, median};
 use groundtruth::math::{Vector, atan2, to_degrees};
@@ -33,13 +33,11 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let inverted = is(refracted(it.arriving, facing, 1.0 / ratio));
             let is_inside = it.is_inside(traced) == Some(true);
             let normal = it.normal().unwrap_or(facing);
+            let is_away = normal.dot(it.arriving) > 0.0;
             let causes = [
                 ("one-ratio", is_inside && inverted),
                 ("ratio-inverted", inverted),
-                (
-                    "normal-not-turned",
-                    normal.dot(it.arriving) > 0.0 && is(refracted(it.arriving, normal, ratio)),
-                ),
+                ("normal-not-turned", is_away && is(refracted(it.arriving, normal, ratio))),
                 ("straight-on", is(Some(it.arriving))),
                 ("total-reflection", expected.is_none()),
             ];
@@ -54,9 +52,7 @@ fn words(it: &Leaving<'_>, facing: Vector, expected: Option<Vector>) -> String {
     let [arriving, leaving] = [angle(it.arriving), angle(it.leaving)];
     match expected {
         Some(expected) if angle(expected) == leaving => {
-            let apart =
-                to_degrees(atan2(expected.cross(it.leaving).length(), expected.dot(it.leaving)));
-            let apart = short(apart);
+            let apart = short(to_degrees(angle_between(expected, it.leaving)));
             format!(
                 "goes on at Snell's angle, {leaving}°, but {apart}° from there: to another side"
             )

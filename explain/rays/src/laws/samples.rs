@@ -46,14 +46,12 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 ("same-in-each-sample", ray.pixel == same.pixel && ray.sample != same.sample),
                 ("same-in-each-bounce", *depth != other_depth),
             ];
-            (
-                format!(
-                    "leaves at the same angle to the normal as {} of line {}",
-                    traced.name(other),
-                    same.line
-                ),
-                causes,
-            )
+            let words = format!(
+                "leaves at the same angle to the normal as {} of line {}",
+                traced.name(other),
+                same.line
+            );
+            (words, causes)
         });
     }
 }

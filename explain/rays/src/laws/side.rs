@@ -30,20 +30,13 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let within = if is_lamp { BEHIND } else { traced.tolerance() };
         let holds = if should_pass { cos <= within } else { cos >= -within };
         asked.count(it.index, holds, || {
-            let about =
-                |n: Option<groundtruth::math::Vector>| n.is_some_and(|n| n.dot(it.leaving) > 0.0);
+            let is_scattered = !should_pass && !is_lamp;
             let is_turned_away = normal.dot(it.arriving) > 0.0;
+            let is_shading = it.parent.shading_normal.is_some_and(|n| n.dot(it.leaving) > 0.0);
             let causes = [
-                ("normal-not-turned", !should_pass && !is_lamp && is_turned_away),
-                (
-                    "about-shading-normal",
-                    !should_pass
-                        && !is_lamp
-                        && !is_turned_away
-                        && it.parent.shading_normal.is_some()
-                        && about(it.parent.shading_normal),
-                ),
-                ("whole-sphere", !should_pass && !is_lamp && is_sphere),
+                ("normal-not-turned", is_scattered && is_turned_away),
+                ("about-shading-normal", is_scattered && !is_turned_away && is_shading),
+                ("whole-sphere", is_scattered && is_sphere),
                 ("lamp-behind-surface", is_lamp),
             ];
             let side = match (should_pass, is_lamp) {

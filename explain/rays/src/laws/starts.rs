@@ -33,7 +33,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let holds =
             away.length() <= slack || away.length() <= TOO_LARGE * traced.scale && !is_wrong_side;
         asked.count(it.index, holds, || {
-            let root = root_of(traced, it.index);
+            let root = traced.way_up(it.index).last().unwrap_or(it.index);
             let at_camera = (it.ray.origin - traced.ray(root).origin).length() <= slack;
             let is_offset = away.length() <= ELSEWHERE * traced.scale && !at_camera;
             let causes = [
@@ -42,15 +42,11 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 ("starts-at-camera", at_camera),
                 ("object-space", !at_camera && is_shift(&it)),
             ];
-            let words = match is_wrong_side && is_offset {
-                true => {
-                    format!("starts {} behind the surface that it leaves", short(away.length()))
-                }
-                false => {
-                    format!("starts {} from where the ray that sent it ended", short(away.length()))
-                }
+            let from = match is_wrong_side && is_offset {
+                true => "behind the surface that it leaves",
+                false => "from where the ray that sent it ended",
             };
-            (words, causes)
+            (format!("starts {} {from}", short(away.length())), causes)
         });
     }
 }
@@ -77,8 +73,4 @@ fn is_wrong_side(it: &Leaving<'_>, away: Vector, slack: f64) -> bool {
     };
     let is_wrong = moved * goes < 0.0 && moved * side < 0.0;
     moved.abs() > slack && is_wrong && goes.abs() > 1e-3 && !is_hidden
-}
-
-fn root_of(traced: &Traced, index: usize) -> usize {
-    traced.way_up(index).last().unwrap_or(index)
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use groundtruth::math::{Point, Vector};
 use serde_json::Value;
 
+use crate::log::Ray;
 use crate::traced::Traced;
 
 /// A plane, of an area if that is known, or a ball.
@@ -29,8 +30,8 @@ impl Surface {
                 let to = center - from;
                 let cone = 1.0 - (1.0 - radius * radius / to.length_squared()).max(0.0).sqrt();
                 let normal = (1.0 / radius) * (far * direction - to);
-                let over_area =
-                    far * far / (normal.dot(direction).abs() * 2.0 * PI * radius * radius);
+                let cos = normal.dot(direction).abs();
+                let over_area = far * far / (cos * 2.0 * PI * radius * radius);
                 ([0.5 / (PI * cone), 0.5 * over_area, over_area], [1.0, far * far])
             }
         }
@@ -64,20 +65,14 @@ impl Surface {
 
     /// That on which all hits of an object lie.
     pub fn of_hits(traced: &Traced, name: &Arc<str>) -> Option<Self> {
-        let hits = traced
-            .log
-            .rays
-            .iter()
-            .enumerate()
-            .filter(|(_, ray)| !ray.is_shadow() && ray.object.as_ref() == Some(name));
-        let hits: Vec<(Point, Vector)> = hits
-            .filter_map(|(index, ray)| {
-                let n = ray.normal?.unit()?;
-                // turned to the outside as far as the log says so
-                let is_back = ray.front == Some(false) && n.dot(ray.direction) < 0.0;
-                Some((traced.end_point(index)?, if is_back { -n } else { n }))
-            })
-            .collect();
+        let is_its = |it: &(usize, &Ray)| !it.1.is_shadow() && it.1.object.as_ref() == Some(name);
+        let hit = |(index, ray): (usize, &Ray)| {
+            let n = ray.normal?.unit()?;
+            // turned to the outside as far as the log says so
+            let is_back = ray.front == Some(false) && n.dot(ray.direction) < 0.0;
+            Some((traced.end_point(index)?, if is_back { -n } else { n }))
+        };
+        let hits: Vec<(Point, Vector)> = traced.rays().filter(is_its).filter_map(hit).collect();
         let &(point, normal) = hits.first()?;
         if hits.iter().all(|(_, n)| n.cross(normal).length() <= 1e-3) {
             let is_plane =
@@ -85,9 +80,8 @@ impl Surface {
             let is_told = hits.len() >= 3 && is_plane;
             return is_told.then_some(Self::Flat { point, normal, area: None });
         }
-        let &(other, across) = hits
-            .iter()
-            .max_by(|a, b| a.1.cross(normal).length().total_cmp(&b.1.cross(normal).length()))?;
+        let sine = |it: &&(Point, Vector)| it.1.cross(normal).length();
+        let &(other, across) = hits.iter().max_by(|a, b| sine(a).total_cmp(&sine(b)))?;
         let turn = normal - across;
         let radius = (point - other).dot(turn) / turn.length_squared();
         let center = point - radius * normal;
@@ -109,11 +103,8 @@ impl Surface {
         match self {
             Self::Flat { point, normal, .. } => {
                 let along = direction.dot(normal);
-                if along.abs() < 1e-3 {
-                    Vec::new()
-                } else {
-                    vec![(point - from).dot(normal) / along]
-                }
+                let far = (point - from).dot(normal) / along;
+                if along.abs() < 1e-3 { Vec::new() } else { vec![far] }
             }
             Self::Ball { center, radius } => {
                 let to = center - from;

@@ -7,7 +7,7 @@ use text::digits::short;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let (Some(normal), Some(end)) =
             (ray.normal.and_then(Vector::unit), traced.end_point(index))
         else {
@@ -56,14 +56,12 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 ("shading-as-normal", !is_true && angle(shading) <= tolerance),
                 ("wrong-smooth-normals", is_true),
             ];
-            (
-                format!(
-                    "has a {kind} {}° from that of {} there",
-                    short(to_degrees(off)),
-                    quoted(Some(&hit.object.name), "")
-                ),
-                causes,
-            )
+            let words = format!(
+                "has a {kind} {}° from that of {} there",
+                short(to_degrees(off)),
+                quoted(Some(&hit.object.name), "")
+            );
+            (words, causes)
         });
     }
 }

@@ -23,7 +23,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut cosines = vec![None; traced.log.rays.len()];
     leaving(traced).for_each(|it| cosines[it.index] = cosine(&it));
     let matte = matte(traced, &cosines);
-    for (index, ray) in traced.log.rays.iter().enumerate() {
+    for (index, ray) in traced.rays() {
         let Factors { weight: Some(weight), f: Some(f), cos, pdf, choice, mis, .. } = &ray.factors
         else {
             continue;
@@ -130,10 +130,8 @@ fn lots(traced: &Traced, asked: &mut LawReport) {
         for &(index, choice, [weight, _]) in rays.iter().filter(|it| it.1 < 1.0 - EVEN) {
             asked.count(index, !is_left_out, || {
                 let [weight, choice] = [weight, choice].map(short);
-                (
-                    format!("counts {weight}, as rays do that were chosen for certain, and was chosen with the probability {choice}"),
-                    [("choice-missing", true)],
-                )
+                let words = format!("counts {weight}, as rays do that were chosen for certain, and was chosen with the probability {choice}");
+                (words, [("choice-missing", true)])
             });
         }
     }

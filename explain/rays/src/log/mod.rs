@@ -15,6 +15,7 @@ use groundtruth::rgb::Rgb;
 use serde_json::{Map, Value};
 use text::digits::{exact, exact_color};
 
+use crate::placing::Placing;
 pub use digits::Digits;
 pub use fields::{FIELDS, Field};
 pub use kind::Purpose;
@@ -54,8 +55,8 @@ pub struct Head {
     pub size: Option<[u32; 2]>,
     /// A scene of the gallery, a scene file, or a scene in the words of scene files.
     pub scene: Option<Value>,
-    /// Fields of other names.
-    pub others: Map<String, Value>,
+    /// How its space lies in that of its objects.
+    pub(crate) placing: Placing,
 }
 
 /// The precision in which a program computes.

@@ -243,8 +243,8 @@ impl Head {
         };
         let size = fields.remove("size").map(size).transpose()?;
         let scene = fields.remove("scene");
-        Placing::check(&fields)?;
-        Ok(Self { version: Some(1), program, precision, picture, size, scene, others: fields })
+        let placing = Placing::of(&fields)?;
+        Ok(Self { version: Some(1), program, precision, picture, size, scene, placing })
     }
 }
 
