@@ -6,6 +6,7 @@ use scenefile::vocabulary::Definition;
 
 use super::page::DescriptionPage;
 use super::words::Words;
+pub(super) use crate::export::number as shown;
 
 /// Fields that change only the time, not the picture.
 const WITHOUT_EFFECT: &[&str] = &["accel"];
@@ -109,13 +110,6 @@ pub fn plain(value: &Value) -> String {
         Value::String(text) => format!("{text:?}"),
         _ => value.to_string(),
     }
-}
-
-/// The shortest decimal number that reads back as `number`.
-pub fn shown(number: f64) -> String {
-    let magnitude = number.abs();
-    let is_short = magnitude == 0.0 || (1e-6..1e15).contains(&magnitude);
-    if is_short { format!("{number}") } else { format!("{number:e}") }
 }
 
 /// Coordinates, as `[1, 2, 3]`.

@@ -56,7 +56,7 @@ pub(crate) fn item(list: &str, index: usize, name: &str) -> String {
     }
 }
 
-/// A number, with all of its digits.
+/// The shortest decimal number that reads back as this one.
 pub(crate) fn number(number: f64) -> String {
     let is_short = number == 0.0 || (1e-6..1e15).contains(&number.abs());
     if is_short { format!("{number}") } else { format!("{number:e}") }

@@ -121,10 +121,8 @@ impl Writer<'_> {
         self.refuse_absorption(path, it, "Mitsuba's glass is clear");
         let transparency = self.scene.transparency;
         if transparency.shadows != TransparentShadows::default() {
-            self.refuse(
-                "transparency.shadows",
-                "glass blocks the light of lamps there: write opaque",
-            );
+            let problem = "glass blocks the light of lamps there: write opaque";
+            self.refuse("transparency.shadows", problem);
         }
         if !transparency.scales_radiance {
             self.refuse("transparency.scales_radiance", "it is true there");
@@ -136,14 +134,11 @@ impl Writer<'_> {
 
     /// A reflectance, which Mitsuba takes up to 1.
     pub(super) fn reflectance(&mut self, path: &str, reflectance: Rgb) -> Option<Rgb> {
-        if reflectance.max() > 1.0 {
-            self.refuse(
-                path,
-                format!("a reflectance of {}, and 1 is the most there", reflectance.max()),
-            );
-            return None;
+        let most = reflectance.max();
+        if most > 1.0 {
+            self.refuse(path, format!("a reflectance of {most}, and 1 is the most there"));
         }
-        Some(reflectance)
+        (most <= 1.0).then_some(reflectance)
     }
 
     /// The materials of one colour, which shapes name.

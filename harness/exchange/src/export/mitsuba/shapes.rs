@@ -241,11 +241,12 @@ impl Writer<'_> {
 
     fn refuse_two_sided_lamp(&mut self, at: &Placed<'_>) {
         if at.is_two_sided_lamp() {
-            self.refuse(
-                &at.leaf.path,
-                "a lamp that shines on both sides: there are no such lamps there",
-            );
+            self.refuse_lamp(at, ": there are no such lamps there");
         }
+    }
+
+    fn refuse_lamp(&mut self, at: &Placed<'_>, why: &str) {
+        self.refuse(&at.leaf.path, format!("a lamp that shines on both sides{why}"));
     }
 
     /// Whether a two-sided lamp is seen from inside; the other side of a closed surface is never seen.
@@ -263,10 +264,7 @@ impl Writer<'_> {
             _ => map.is_similarity() && in_front.abs() > it.radius * scale(map),
         };
         if !starts_apart {
-            self.refuse(
-                &at.leaf.path,
-                "a lamp that shines on both sides, and rays start inside and outside of it",
-            );
+            self.refuse_lamp(at, ", and rays start inside and outside of it");
         }
         Some(is_inside)
     }
@@ -283,10 +281,7 @@ impl Writer<'_> {
         };
         let has_lens = matches!(camera.lens, cameras::Kind::ThinLens(_));
         if has_lens || self.own.paths.edges > 1 {
-            self.refuse(
-                &at.leaf.path,
-                "a lamp that shines on both sides, of which rays may see both",
-            );
+            self.refuse_lamp(at, ", of which rays may see both");
         }
         Some(to_eye.dot(normal) < 0.0)
     }

@@ -19,7 +19,7 @@ use std::path::Path;
 
 use groundtruth::background::Background;
 use groundtruth::printable;
-use groundtruth::scene::{Light, Scene, Tracer};
+use groundtruth::scene::{Image, Light, Scene, Tracer};
 use groundtruth::shapes::Kind;
 
 use super::leaves::Leaves;
@@ -114,14 +114,14 @@ impl Writer<'_> {
     }
 
     fn header(&mut self, name: &str) {
-        let image = &self.scene.image;
-        self.line(&format!("// {}: {}", printable::text(name), printable::text(&self.scene.about)));
-        self.line("// Linear radiance, one ray through the centre of each pixel:");
+        let Image { width, height, .. } = self.scene.image;
+        let [name, about] = [name, &self.scene.about].map(printable::text);
         self.line(&format!(
-            "//   povray +Ithis.pov +Othis.png +W{} +H{} -A -D +FN16 File_Gamma=1.0",
-            image.width, image.height
+            "// {name}: {about}\n\
+             // Linear radiance, one ray through the centre of each pixel:\n\
+             //   povray +Ithis.pov +Othis.png +W{width} +H{height} -A -D +FN16 File_Gamma=1.0\n\
+             #version 3.7;"
         ));
-        self.line("#version 3.7;");
     }
 
     /// What holds for the whole picture.
@@ -139,16 +139,13 @@ impl Writer<'_> {
             Tracer::Whitted(whitted) => whitted.max_depth,
             _ => 0,
         };
+        let (exposure, ambient) = (text::number(self.scene.camera.exposure_time), rgb(ambient));
+        let level = depth + 1;
         self.line(&format!(
-            "#declare exposure = {};",
-            text::number(self.scene.camera.exposure_time)
+            "#declare exposure = {exposure};\n\
+             global_settings {{\n  assumed_gamma 1\n  ambient_light rgb exposure*{ambient}\n  \
+             max_trace_level {level}\n  adc_bailout 0\n}}"
         ));
-        self.line("global_settings {");
-        self.line("  assumed_gamma 1");
-        self.line(&format!("  ambient_light rgb exposure*{}", rgb(ambient)));
-        self.line(&format!("  max_trace_level {}", depth + 1));
-        self.line("  adc_bailout 0");
-        self.line("}");
         if let Background::Color(color) = self.scene.background {
             self.line(&format!("background {{ rgb exposure*{} }}", rgb(color)));
         }
