@@ -333,21 +333,12 @@ impl Recorder for RayTree {
             TermSource::Background { .. } | TermSource::Emission { .. } => (None, false),
         };
         let light = light.map(|light| self.light(light));
-        if let Some(ray) = self.current() {
-            let from = ray.children.last().filter(|_| from_ray).map(|child| child.number);
-            let (contribution, share) = (Rgb::BLACK, 0.0);
-            let term = RecordedTerm {
-                source,
-                light,
-                weight,
-                arriving,
-                value,
-                contribution,
-                share,
-                ray: from,
-            };
-            ray.terms.push(term);
-        }
+        let Some(current) = self.current() else { return };
+        let ray = current.children.last().filter(|_| from_ray).map(|child| child.number);
+        let (contribution, share) = (Rgb::BLACK, 0.0);
+        let term =
+            RecordedTerm { source, light, weight, arriving, value, contribution, share, ray };
+        current.terms.push(term);
     }
 
     fn leave(&mut self, outcome: Outcome, transmittance: Rgb, arriving: Rgb) {

@@ -60,14 +60,13 @@ impl Events {
         let world = renderer.world();
         let (mut events, count) = (Self::default(), world.samples_per_pixel());
         for index in 0..count {
-            let mut recorder = Listening::to(world, wanted);
+            let terms = wanted.terms.then(Dividing::default);
+            let (cost, events_so_far) = (wanted.cost, &mut events);
+            let mut recorder = Listening { world, events: events_so_far, cost, terms, last: 0 };
             let radiance = renderer.sample(pixel, index, &mut recorder, &mut Unlimited);
+            let terms = recorder.terms;
             events.radiances.push(radiance);
-            events.rays += recorder.rays;
-            events.depth = events.depth.max(recorder.depth);
-            events.cost.tests += recorder.cost.tests;
-            events.cost.steps += recorder.cost.steps;
-            let Some(terms) = recorder.terms else { continue };
+            let Some(terms) = terms else { continue };
             let camera = render::camera_sample(world, pixel, index);
             let weight = camera.map_or(0.0, |camera| camera.weight);
             let factor = weight * world.view.exposure_time / f64::from(count);
@@ -103,26 +102,18 @@ impl Events {
 /// The recorder of one sample.
 struct Listening<'a> {
     world: &'a World,
-    rays: u64,
-    depth: u32,
-    cost: Counts,
-    counts_cost: bool,
+    /// Those of all samples so far.
+    events: &'a mut Events,
+    /// Whether the cost of searches is counted.
+    cost: bool,
     terms: Option<Dividing>,
     /// The depth of the ray that began last.
     last: u32,
 }
 
-impl<'a> Listening<'a> {
-    fn to(world: &'a World, wanted: Wanted) -> Self {
-        let terms = wanted.terms.then(Dividing::default);
-        let (cost, counts_cost) = (Counts::default(), wanted.cost);
-        Self { world, rays: 0, depth: 0, cost, counts_cost, terms, last: 0 }
-    }
-}
-
 impl Recorder for Listening<'_> {
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
-        self.rays += 1;
+        self.events.rays += 1;
         self.last = depth;
         if let Some(terms) = &mut self.terms {
             terms.enter(kind, ray, depth, weight);
@@ -131,11 +122,11 @@ impl Recorder for Listening<'_> {
 
     fn search(&mut self, search: Search, ray: &Ray, span: Span) {
         // a ray that is searched along is cast
-        self.depth = self.depth.max(self.last);
-        if self.counts_cost {
+        self.events.depth = self.events.depth.max(self.last);
+        if self.cost {
             let cost = self.world.search_cost(search, ray, span);
-            self.cost.tests += cost.tests;
-            self.cost.steps += cost.steps;
+            self.events.cost.tests += cost.tests;
+            self.events.cost.steps += cost.steps;
         }
     }
 

@@ -175,6 +175,7 @@ fn pixels_of_pairs_are_explained() {
         for sample in &explained.samples {
             assert_eq!(sample.ray.is_none(), in_gap, "{sample:?}");
         }
-        assert_eq!(explained.text(explain::Shown::default()).contains("between the two images"), in_gap);
+        let text = explained.text(explain::Shown::default());
+        assert_eq!(text.contains("between the two images"), in_gap);
     }
 }

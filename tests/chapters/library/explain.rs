@@ -29,7 +29,8 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
     scene.image.samples = 1;
     let world = World::build(&scene).expect("gallery scenes are valid");
     let explanation = explain::pixel(&scene, &world, [20, 15], None).expect("few rays");
-    reads_as_before("glass_sphere.txt", &explanation.text(Shown { min_share: 0.01, ..Shown::default() }));
+    let shown = Shown { min_share: 0.01, ..Shown::default() };
+    reads_as_before("glass_sphere.txt", &explanation.text(shown));
 }
 
 /// Two nested glass spheres over a matte one, seen off their axis: a tree of many rays of which few
