@@ -32,10 +32,9 @@ const MAX_DEPTH: usize = 512;
 impl Recorded {
     /// The ray of this index with all after it.
     pub fn of(traced: &Traced, index: usize) -> Self {
-        let mut builder = Builder { traced, indices: Vec::new() };
-        let mut root = builder.ray(index, None, 0, Rgb::WHITE);
-        let whole = root.radiance.average();
-        shares(&mut root, whole);
+        let whole = traced.ray(index).radiance.map_or(0.0, Rgb::average);
+        let mut builder = Builder { traced, whole, indices: Vec::new() };
+        let root = builder.ray(index, None, 0, Rgb::WHITE);
         let mut recorded = Self { root, indices: builder.indices, numbers: None };
         recorded.numbers = recorded.own_numbers(traced);
         if let Some(numbers) = &recorded.numbers {
@@ -73,14 +72,10 @@ fn renumber(ray: &mut RecordedRay, numbers: &[usize]) {
     ray.children.iter_mut().for_each(|child| renumber(child, numbers));
 }
 
-fn shares(ray: &mut RecordedRay, whole: f64) {
-    ray.share =
-        if whole > 0.0 { (ray.contribution.average() / whole).clamp(0.0, 1.0) } else { 0.0 };
-    ray.children.iter_mut().for_each(|child| shares(child, whole));
-}
-
 struct Builder<'a> {
     traced: &'a Traced,
+    /// What the root brings.
+    whole: f64,
     indices: Vec<usize>,
 }
 
@@ -117,6 +112,8 @@ impl Builder<'_> {
         let weight = ray.factors.weight.unwrap_or(Rgb::WHITE);
         let throughput = throughput * weight;
         let radiance = ray.radiance.unwrap_or(Rgb::BLACK);
+        let contribution = throughput * radiance;
+        let share = (contribution.average() / self.whole).clamp(0.0, 1.0);
         // the way to a lamp with a place is the direction itself, as in our own records
         let length = ray.end.filter(|_| ray.is_shadow()).unwrap_or(1.0);
         let mut record = RecordedRay {
@@ -135,10 +132,10 @@ impl Builder<'_> {
             black: None,
             transmittance: Rgb::WHITE,
             radiance,
-            contribution: throughput * radiance,
+            contribution,
             own_contribution: throughput
                 * (ray.emitted.unwrap_or(Rgb::BLACK) + ray.direct.unwrap_or(Rgb::BLACK)),
-            share: 0.0,
+            share: if self.whole > 0.0 { share } else { 0.0 },
             children: Vec::new(),
         };
         for &child in &self.traced.children[index] {

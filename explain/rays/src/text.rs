@@ -78,15 +78,13 @@ impl RayVerdict {
                 let (findings, ray) = (count(it.findings, "finding"), self.traced.name(ray));
                 format!("{findings}, first by {ray} ({})", law.name)
             });
-            format!("pixel {pixel}: {}, {found}\n", count(it.rays, "ray"))
+            printable::text(&format!("pixel {pixel}: {}, {found}", count(it.rays, "ray"))) + "\n"
         };
         let pixels = self.pixels();
         let worst = pixels.iter().rev().max_by_key(|it| it.findings).filter(|it| it.findings > 0);
         let lines = pixels.iter().map(line).collect::<String>();
         let worst = worst.map_or(String::new(), |it| format!("worst: {}", line(it)));
-        let lines =
-            (lines + &worst).lines().map(|it| printable::text(it) + "\n").collect::<String>();
-        format!("{}\n{lines}", printable::text(&self.sentence()))
+        format!("{}\n{lines}{worst}", printable::text(&self.sentence()))
     }
 
     /// What was taken from the log, guessed or left out, a sentence each.

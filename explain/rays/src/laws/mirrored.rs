@@ -45,10 +45,9 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let causes = causes(&it, within(&it), shades);
         let holds = is_near(it.leaving, expected, within(&it));
         if !holds && causes.iter().all(|it| !it.1) && scatters(&it) {
-            note_once(
-                asked,
-                "some reflected rays scatter about the mirrored direction; write `glossy` as their kind",
-            );
+            if asked.notes.is_empty() {
+                asked.notes.push("some reflected rays scatter about the mirrored direction; write `glossy` as their kind".to_owned());
+            }
             continue;
         }
         asked.count(it.index, holds, || {
@@ -74,10 +73,4 @@ fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [(&'static str, boo
         ("straight-on", is(d)),
         ("added-not-subtracted", is(d + 2.0 * d.dot(unit) * unit)),
     ]
-}
-
-fn note_once(asked: &mut LawReport, words: &str) {
-    if asked.notes.iter().all(|note| note != words) {
-        asked.notes.push(words.to_owned());
-    }
 }

@@ -97,33 +97,27 @@ fn weighed(traced: &Traced) -> Vec<Weighed> {
         };
         let (index, mis) = (it.index, factors.mis.or_else(counts).filter(|mis| mis.is_finite())?);
         let is_hit = !it.ray.is_shadow();
+        let weighed = |own, other, choice| Weighed { index, mis, own, other, choice, is_hit };
         if is_mirrored(it.ray) && factors.pdf.is_none() {
             let is_left_out = lamp_side(traced, it.ray).is_some_and(|it| unmirrored.contains(&it));
             let mis = if is_left_out && it.ray.emitted.is_some() { 0.0 } else { mis };
-            return Some(Weighed { index, mis, own: 1.0, other: 0.0, choice: 1.0, is_hit });
+            return Some(Weighed { mis, ..weighed(1.0, 0.0, 1.0) });
         }
         let own = factors.pdf.filter(|pdf| pdf.is_finite() && *pdf > 0.0)?;
         if let Some(other) = factors.other_pdf.filter(|pdf| pdf.is_finite()) {
-            return Some(Weighed { index, mis, own, other, choice: 1.0, is_hit });
+            return Some(weighed(own, other, 1.0));
         }
         if !is_hit {
             let choice = factors.choice.unwrap_or(1.0);
             let is_matte = matte.get(&it.parent.object.as_ref()).is_some_and(|is_matte| *is_matte);
             let other = it.facing()?.dot(it.leaving).max(0.0) / PI;
-            return is_matte.then_some(Weighed {
-                index,
-                mis,
-                own: own * choice,
-                other,
-                choice: 1.0,
-                is_hit,
-            });
+            return is_matte.then_some(weighed(own * choice, other, 1.0));
         }
         let is_lit = it.ray.emitted.is_some_and(|light| light.max() > 0.0);
         let lamp = lamps.get(it.ray.object.as_ref()?).filter(|_| is_lit)?;
         let far = traced.end_point(index)?.distance(it.ray.origin);
         let other = lamp.choice * lamp.density(it.ray.origin, it.leaving, far);
-        Some(Weighed { index, mis, own, other, choice: lamp.choice, is_hit })
+        Some(weighed(own, other, lamp.choice))
     };
     leaving(traced).filter_map(of).collect()
 }

@@ -22,7 +22,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         }
         let Some(parts) = parts(traced, index, has_shadow_rays) else { continue };
         let local = parts.emitted + parts.direct;
-        let brought: Rgb = parts.children.iter().map(|(weight, light)| *weight * *light).sum();
+        let brought: Rgb = parts.each().sum();
         let expected = local + brought;
         if !is_finite(expected) {
             continue;
@@ -34,15 +34,15 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let holds = [expected, split].into_iter().any(fits);
         asked.count(index, holds, || {
             let is = |color: Rgb| is_near(radiance, color, tolerance);
-            let each = || parts.children.iter().map(|(weight, light)| *weight * *light);
+            let lit = || parts.each().filter(|child| child.max() > 0.0);
             let unweighted = || {
                 parts.children.iter().map(|(weight, light)| expected - *weight * *light + *light)
             };
             let most = radiance.max();
             let count = parts.children.len().max(1) as f64;
             let causes = [
-                ("child-left-out", each().any(|child| child.max() > 0.0 && is(expected - child))),
-                ("child-twice", each().any(|child| child.max() > 0.0 && is(expected + child))),
+                ("child-left-out", lit().any(|child| is(expected - child))),
+                ("child-twice", lit().any(|child| is(expected + child))),
                 ("divided-by-children", count > 1.0 && is(local + brought / count)),
                 ("it-is-clamped", most < expected.max() && is(expected.map(|x| x.min(most)))),
                 ("emitted-left-out", parts.emitted.max() > 0.0 && is(expected - parts.emitted)),
@@ -65,7 +65,8 @@ fn direct_has_shadow_rays(traced: &Traced, tolerance: f64) -> bool {
     let fits = |has: bool| {
         let of = |(index, ray): (usize, &Ray)| {
             let (radiance, parts) = (ray.radiance?, parts(traced, index, has)?);
-            Some(is_near(radiance, parts.sum(), tolerance))
+            let sum = parts.emitted + parts.direct + parts.each().sum();
+            Some(is_near(radiance, sum, tolerance))
         };
         let rays = traced.rays().filter(|(_, ray)| ray.direct.is_some());
         rays.take(ENOUGH).filter_map(of).filter(|fits| *fits).count()
@@ -89,9 +90,9 @@ fn parts(traced: &Traced, index: usize, direct_has_shadow_rays: bool) -> Option<
 }
 
 impl Parts {
-    fn sum(&self) -> Rgb {
-        let brought: Rgb = self.children.iter().map(|(weight, light)| *weight * *light).sum();
-        self.emitted + self.direct + brought
+    /// What each child brings.
+    fn each(&self) -> impl Iterator<Item = Rgb> {
+        self.children.iter().map(|(weight, light)| *weight * *light)
     }
 }
 

@@ -4,7 +4,6 @@ use super::LawReport;
 use super::geometry::leaving;
 use crate::log::Purpose;
 use crate::traced::Traced;
-use groundtruth::math::Vector;
 
 /// The cosines of two random rays that are nearer to each other than this are the same draw.
 const SAME: f64 = 1e-7;
@@ -59,6 +58,5 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
 /// Whether two rays are no copies of each other: they start elsewhere or belong to other samples.
 fn differs(traced: &Traced, a: usize, b: usize) -> bool {
     let [a, b] = [traced.ray(a), traced.ray(b)];
-    let is_same: fn(Vector) -> bool = |v| v.length() == 0.0;
-    a.pixel != b.pixel || a.sample != b.sample || !is_same(a.origin - b.origin)
+    a.pixel != b.pixel || a.sample != b.sample || (a.origin - b.origin).length() != 0.0
 }
