@@ -137,5 +137,9 @@ fn balls_are_around_boxes() {
     );
     near(radius, 0.5 * f64::sqrt(16.0 + 4.0 + 121.0), 1e-9, "the radius around the scene");
     let (_, world) = built(&[FRONT, WHITE, &floor].concat());
-    assert_eq!(of_scene(&world), (Point::new(0.0, 0.0, 10.0), 1.0), "the ball around the eye alone");
+    assert_eq!(
+        of_scene(&world),
+        (Point::new(0.0, 0.0, 10.0), 1.0),
+        "the ball around the eye alone"
+    );
 }

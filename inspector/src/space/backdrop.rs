@@ -10,10 +10,9 @@ use eframe::egui::{
     Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, pos2,
 };
 use groundtruth::film::Tone;
-use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
-use space::{Backdrop as Scene, Orbit, Segment};
+use space::{Backdrop as Scene, Orbit, Segment, Sight};
 use web_time::Instant;
 
 use crate::explanation::Version;
@@ -217,7 +216,7 @@ impl Drawn {
         if *step == 0 {
             *drawn = sharpened(drawn, request.size, |at| look(at, SIDES[0]));
         }
-        let new = || hidden_runs(&scene, sight.eye, &request.segments, cancelled).map(Arc::new);
+        let new = || hidden_runs(&scene, &sight, &request.segments, cancelled).map(Arc::new);
         *runs = runs.take().or_else(new);
         runs.is_some()
     }
@@ -267,14 +266,14 @@ fn sharpened(
 
 fn hidden_runs(
     scene: &Scene<'_>,
-    eye: Point,
+    sight: &Sight,
     segments: &[Segment],
     cancelled: &AtomicBool,
 ) -> Option<Vec<Runs>> {
     let pieces = (MAX_PIECES / segments.len().max(1)).clamp(1, MAX_PIECES_PER_SEGMENT) as u32;
     let runs = segments.iter().map(|segment| {
         let go_on = !cancelled.load(Ordering::Relaxed);
-        go_on.then(|| scene.runs(eye, segment.from, segment.to, pieces))
+        go_on.then(|| scene.runs(sight.eye, segment.from, segment.to, pieces))
     });
     runs.collect()
 }

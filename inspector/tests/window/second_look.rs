@@ -7,7 +7,6 @@ use eframe::egui::{Color32, Context, Key, Pos2, Rect, Shape, Theme, Visuals, acc
 use egui_kittest::kittest::Queryable;
 use explain::RecordedRay;
 use groundtruth::render::{self, Canvas};
-use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
 use inspector::action::Shows;
 use inspector::comparison::recipe::Recipe;
@@ -265,7 +264,7 @@ fn borders_are_sharp_while_space_turns() {
     let squares = (0..120).flat_map(|y| (0..160).map(move |x| [x, y]));
     let wrong = squares.filter(|at: &[u32; 2]| {
         let middle = at.map(|along| 2.0 * f64::from(along) + 1.0);
-        let (_, object) = scene.seen(&sight.ray(middle), Rgb::BLACK);
+        let (_, object) = scene.seen(&sight.ray(middle), Default::default());
         backdrop.object_at(middle.map(|along| along as f32)) != object
     });
     let wrong = wrong.count();

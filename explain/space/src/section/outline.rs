@@ -133,7 +133,7 @@ impl Scan<'_> {
 
     fn crossing(&self, object: u32, point: Point, normal: Vector) -> Crossing {
         let normal = self.plane.along(normal);
-        let length = dot(normal, normal).sqrt();
+        let length = length_of(normal);
         let normal = if length > 0.0 { normal.map(|it| it / length) } else { normal };
         Crossing { object, at: self.plane.to_plane(point), normal }
     }
@@ -177,8 +177,8 @@ impl Scan<'_> {
 
     /// Where the line across the middle of the chord meets the object, next to the chord.
     fn middle(&self, a: &Crossing, b: &Crossing) -> Option<Crossing> {
-        let chord = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
-        let length = dot(chord, chord).sqrt();
+        let chord = minus(b.at, a.at);
+        let length = length_of(chord);
         if length <= 1e-12 * self.window.half {
             return Some(*a);
         }
@@ -188,18 +188,16 @@ impl Scan<'_> {
         let reach = 2.0 * length;
         let from = [middle[0] - reach * across[0], middle[1] - reach * across[1]];
         let found = self.along(from, across, 2.0 * reach);
-        let off = |it: &Crossing| distance(it.at, middle);
-        found
-            .into_iter()
-            .filter(|it| it.object == a.object)
-            .min_by(|x, y| off(x).total_cmp(&off(y)))
+        let off = |it: &Crossing| length_of(minus(it.at, middle));
+        let its = found.into_iter().filter(|it| it.object == a.object);
+        its.min_by(|x, y| off(x).total_cmp(&off(y)))
     }
 }
 
 /// How far the chord of two crossings is from being along the surface at both: from 0 to 2.
 fn misfit(a: &Crossing, b: &Crossing) -> f64 {
-    let chord = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
-    let length = dot(chord, chord).sqrt();
+    let chord = minus(b.at, a.at);
+    let length = length_of(chord);
     let along = |it: &Crossing| dot(it.normal, chord).abs();
     if length > 0.0 { (along(a) + along(b)) / length } else { 0.0 }
 }
@@ -251,7 +249,6 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let way = minus(a, b);
-    dot(way, way).sqrt()
+fn length_of(a: [f64; 2]) -> f64 {
+    dot(a, a).sqrt()
 }

@@ -90,7 +90,8 @@ impl Writer<'_> {
         let paths = match scene.tracer {
             Tracer::Whitted(whitted) if has.mirror || has.glass => {
                 self.refuse_branches(&has, &lights);
-                Paths::of_mirrors(met(&lights), whitted.max_depth)
+                // mirror images of what shines
+                Paths { lights: met(&lights), edges: whitted.max_depth + 1, ..Paths::default() }
             }
             Tracer::RayCast | Tracer::Whitted(_) => self.direct(&has, lights),
             Tracer::Path(it) if has.diffuse => Paths::of_tracer(&has, lights, it.max_depth),
@@ -173,12 +174,6 @@ impl Writer<'_> {
 }
 
 impl Paths {
-    /// Mirror images of what shines.
-    fn of_mirrors(lights: Vec<usize>, max_depth: u32) -> Self {
-        let edges = max_depth + 1;
-        Self { lights, edges, has_roulette: false, is_lit: false }
-    }
-
     /// A path tracer: our depth does not count the camera's ray. Mitsuba's roulette ends at least one path in 20, ours none
     /// that has lost nothing; so there is none where no matte surface takes light away.
     fn of_tracer(has: &Has, lights: Vec<usize>, max_depth: u32) -> Self {
