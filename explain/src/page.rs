@@ -11,7 +11,7 @@ use super::{
 };
 
 /// What of the trees is shown.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// Rays that add a smaller part of their sample are folded.
     pub min_share: f64,
@@ -22,8 +22,14 @@ pub struct Shown {
 }
 
 impl PixelExplanation {
-    /// The explanation as text.
-    pub fn text(&self, shown: Shown) -> String {
+    /// The explanation as text; rays that add less than `min_share` of their sample are folded.
+    /// With `largest` only the path that carries most light is shown.
+    pub fn text(&self, min_share: f64, largest: bool) -> String {
+        self.shown(Shown { min_share, largest, formulas: false })
+    }
+
+    /// This much of the explanation as text.
+    pub fn shown(&self, shown: Shown) -> String {
         let mut text = String::new();
         self.write(&mut text, shown).expect("a string takes everything");
         text

@@ -144,7 +144,7 @@ impl Explain {
         }
         let min_share = self.min_share / 100.0;
         let (largest, formulas) = (self.largest, self.formulas);
-        let text = explanation.text(Shown { min_share, largest, formulas });
+        let text = explanation.shown(Shown { min_share, largest, formulas });
         match self.columns {
             Some(columns) => print(&wrapped(&text, columns)),
             None => print(&text),

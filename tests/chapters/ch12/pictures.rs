@@ -175,7 +175,6 @@ fn pixels_of_pairs_are_explained() {
         for sample in &explained.samples {
             assert_eq!(sample.ray.is_none(), in_gap, "{sample:?}");
         }
-        let text = explained.text(explain::Shown::default());
-        assert_eq!(text.contains("between the two images"), in_gap);
+        assert_eq!(explained.text(0.01, false).contains("between the two images"), in_gap);
     }
 }

@@ -10,7 +10,7 @@ mod unlit;
 
 use std::path::Path;
 
-use explain::{Outline, RecordedRay, Row, Shown};
+use explain::{Outline, RecordedRay, Row};
 
 use crate::prelude::*;
 use testkit::same_text::{Printed, hold};
@@ -29,8 +29,7 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
     scene.image.samples = 1;
     let world = World::build(&scene).expect("gallery scenes are valid");
     let explanation = explain::pixel(&scene, &world, [20, 15], None).expect("few rays");
-    let shown = Shown { min_share: 0.01, ..Shown::default() };
-    reads_as_before("glass_sphere.txt", &explanation.text(shown));
+    reads_as_before("glass_sphere.txt", &explanation.text(0.01, false));
 }
 
 /// Two nested glass spheres over a matte one, seen off their axis: a tree of many rays of which few
@@ -190,7 +189,7 @@ fn a_shadow_ray_says_what_the_medium_absorbs() {
     let path = std::path::Path::new("under_water.toml");
     let (scene, world) = scenefile::from_toml(UNDER_WATER, path).expect("it is valid");
     let explained = explain::pixel(&scene, &world, [0, 0], None).expect("few rays");
-    let text = explained.text(Shown::default());
+    let text = explained.text(0.0, false);
     let shadow: Vec<&str> = text.lines().skip_while(|line| !line.contains("shadow ray")).collect();
     assert!(shadow[2].ends_with("+ 3  light \"lamp\": weight 1 × light 3"), "{text}");
     assert!(shadow[3].ends_with("× (0.368, 0.607, 1)  through the medium"), "{text}");

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::Path;
 
-use explain::{PixelExplanation, Shown};
+use explain::PixelExplanation;
 use groundtruth::world::{DEFAULT_SEED, World};
 use text::document::*;
 use text::html::{CARD, page};
@@ -67,9 +67,9 @@ fn explained(task: &Task, pixel: [u32; 2]) -> Result<[String; 2], Box<dyn Error>
         let [a, b] = [a.radiance.to_array(), b.radiance.to_array()];
         a.into_iter().zip(b).map(|(a, b)| (a - b).abs()).sum::<f64>()
     });
-    let most = (0..).zip(changes).max_by(|a, b| a.1.total_cmp(&b.1)).map(|it| it.0);
-    let shown = Shown { min_share: 0.01, largest: true, formulas: false };
-    Ok(explained(most)?.map(|it| it.text(shown)))
+    let most = (0..).zip(changes).max_by(|a, b| a.1.total_cmp(&b.1));
+    let most = most.map(|(index, _)| index);
+    Ok(explained(most)?.map(|it| it.text(0.01, true)))
 }
 
 /// A text, with its lines that another one lacks marked.

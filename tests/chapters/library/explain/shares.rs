@@ -2,7 +2,7 @@
 
 use std::iter::successors;
 
-use explain::{RecordedRay, RecordedTerm, Shown};
+use explain::{RecordedRay, RecordedTerm};
 use groundtruth::math::sin_cos;
 use scenefile::from_toml;
 
@@ -84,9 +84,7 @@ fn the_path_of_the_light_follows_the_largest() {
     assert_eq!(paths[1], ["mirror", "floor"]);
     let (scene, world) = from_toml(MIRRORED_FLOOR, Path::new("scene.toml")).expect("it is valid");
     let explained = explain::pixel(&scene, &world, [0, 0], None).expect("few rays");
-    let shown = |largest| {
-        explained.text(Shown { largest, ..Shown::default() }).matches("contributes").count()
-    };
+    let shown = |largest| explained.text(0.0, largest).matches("contributes").count();
     let whole = all(&tree_of(MIRRORED_FLOOR)).len();
     assert_eq!((shown(true), shown(false)), (2, whole));
     above!(whole, 2, "rays: the floor mirrors something");

@@ -142,7 +142,7 @@ fn a_single_sample_has_no_deviation() {
     let explained = explain::pixel(&scene, &world, [10, 8], None).expect("few rays");
     let rows = &explained.sources.by_entry;
     assert!(rows.len() > 2 && rows.iter().all(|row| row.standard_deviation.is_none()));
-    assert!(explained.text(explain::Shown::default()).contains("one sample"));
+    assert!(explained.text(0.01, false).contains("one sample"));
 }
 
 /// Three nested balls of glass at depth 100, and a pixel at their outline.

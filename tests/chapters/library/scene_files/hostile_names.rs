@@ -50,7 +50,7 @@ fn said(text: &str) -> String {
     match scenefile::from_toml(text, Path::new("scene.toml")) {
         Err(error) => error.to_string() + "\n",
         Ok((scene, world)) => match explain::pixel(&scene, &world, [1, 2], None) {
-            Ok(explanation) => explanation.text(explain::Shown::default()),
+            Ok(explanation) => explanation.text(0.0, false),
             Err(_) => String::new(),
         },
     }
