@@ -9,6 +9,7 @@
 //! | the material Phong | without highlights (`k_s = 0`) a Phong surface is a matte one, bit for bit | `phong_without_highlights_is_matte` |
 //! | fig. 15.7, the exponent and the size of a highlight | in a whole picture the highlight's brightest pixel is the one whose sphere point bisects light and eye, and its half-peak disc has the size that the exponent says | `a_highlight_in_a_picture_has_the_size_of_its_exponent` |
 //! |  | seen straight from above, the highlight reflects `2π k_s/(e + 2)` of uniform light, in addition to the diffuse share, under every tracer | `the_energy_of_a_highlight_is_two_pi_over_e_plus_two` |
+//! |  | a highlight is half as bright as at its peak at `acos 2^(−1/e)` from the mirror direction: 60° for e = 1, 21.09° for 10, 6.74° for 100 and 2.13° for 1000 | `highlights_are_half_as_bright_at_known_angles` |
 //!
 //! Beyond the book: 1 in this file.
 
@@ -194,5 +195,19 @@ fn no_shadow_ray_is_cast_for_what_no_picture_can_show() {
         let found = look(&world, eye, down).r;
         let expected = if rays > 0 { power(0.5, exponent) } else { 0.0 };
         assert!((found - expected).abs() <= 1e-12 * expected, "{found:e} for exponent {exponent}");
+    }
+}
+
+/// Law: a highlight is half as bright as at its peak at `acos 2^(−1/e)` from the mirror direction: 60° for e = 1, 21.09°
+/// for 10, 6.74° for 100 and 2.13° for 1000. Oracle: those angles, to their last digit.
+/// Book: fig. 15.7, the exponent and the size of a highlight.
+#[test]
+fn highlights_are_half_as_bright_at_known_angles() {
+    let in_plane = |degrees: f64| Vector::new(sin_degrees(degrees), 0.0, cos_degrees(degrees));
+    for (e, half) in [(1.0, 60.0), (10.0, 21.09), (100.0, 6.74), (1e3, 2.13)] {
+        let highlight = |alpha: f64| lobe(1.0, e).f(in_plane(-20.0), in_plane(20.0 + alpha)).g;
+        near!(highlight(0.0), 1.0, 1e-9, "exponent {e}");
+        below!(highlight(half + 0.01), 0.5, "exponent {e}");
+        above!(highlight(half - 0.01), 0.5, "exponent {e}");
     }
 }

@@ -23,6 +23,7 @@
 //! |  | the roots of known quartics are found: 1, 2, 3 and 4; ±1 and ±2 of `x⁴ − 5x² + 4`; ±1 of `x⁴ − 1`; none of `x⁴ + 1` | `polynomials::the_textbook_quartics_have_their_roots` |
 //! |  | all real roots of a polynomial are found and no others, unless a change of the coefficients by 16u changes their number, in intervals and on the whole line | `polynomials::every_root_of_an_interval_is_found` |
 //! |  | from far away the book's quartic loses many hits of a torus and finds false ones; the library's routine does neither | `textbook::quartics_lose_the_roots_of_a_far_torus` |
+//! |  | a root of multiplicity k is found as near to its value as rounding allows: within about u^(1/k) (numerics.md) | `polynomials::roots_that_meet_are_never_lost` |
 //! | part objects | the ranges 350 to 360 and 0 to 10 meet at +z without a gap, each covers only its own side, and 350 to 10 covers both | `parts::ranges_meet_at_azimuth_zero` |
 //! |  | a part of a sphere, cylinder, annulus or torus and its complement are the whole, bit for bit, also for rays aimed at the ends of the range, where both may have the hit | `parts::a_part_and_its_complement_are_the_whole` |
 //! |  | a part has the hits of the whole whose azimuth, polar angle or angle around the tube, `atan2(y, √(x² + z²) − a)`, are in its ranges, which may pass through 360°: the far one, too, where the near one is missing | `parts::a_part_has_the_hits_whose_angles_are_in_its_ranges` |
@@ -35,7 +36,7 @@
 //! |  | a cut face is the square of side `size` in the plane y = 0 without the disk `x² + z² < radius²` about its centre, and its normal is (0, 1, 0) | `compounds::a_cut_face_is_a_square_without_a_disk` |
 //! | exercise 19.25, the flat-rimmed bowl | a flat-rimmed bowl is closed; its inside is between two spheres and below the plane of the rim, where the inner sphere opens at the given angle | `compounds::a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim` |
 //!
-//! Beyond the book: 3 in `algebraic`, 1 in `bounding`, 1 in `compounds`, 1 in `parts`, 3 in `polynomials`, 1 in `refused`, 3 in `shadow_parts`, 1 in `textbook`, 1 in `torus`.
+//! Beyond the book: 3 in `algebraic`, 1 in `bounding`, 1 in `compounds`, 1 in `parts`, 2 in `polynomials`, 1 in `refused`, 3 in `shadow_parts`, 1 in `textbook`, 1 in `torus`.
 
 mod algebraic;
 mod bounding;

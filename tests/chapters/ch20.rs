@@ -8,6 +8,7 @@
 //! |  | quarter turns map the axes to axes exactly: about x from y to z, about y from z to x, about z from x to y | `quarter_turns_send_axes_to_axes` |
 //! |  | a reflection is its own inverse and negates one coordinate | `reflections_turn_one_coordinate` |
 //! |  | the six factors a to f of a shear are in the rows `(1, a, b)`, `(c, 1, d)` and `(e, f, 1)` of its matrix | `shears_have_their_factors_in_rows` |
+//! |  | the matrices of rotations about the axes have the cosine twice on the diagonal and ∓ the sine beside it, and the inverse is the transpose | `rotations_have_the_books_matrices` |
 //! | composition of transformations | steps are applied first to last, `M = Tₙ … T₂ T₁`, and their order matters | `steps_are_applied_in_their_order` |
 //! | inverse transformations | `(A B)⁻¹ = B⁻¹ A⁻¹`, and `A.after(B)` is `A B` | `the_inverse_of_a_product_is_the_product_of_inverses_turned_round` |
 //! |  | the inverse is that of the rounded matrix, up to one unit in the last place of its largest entry, for steps of every kind, shears included, whose inverse some copies of the book's code have wrong, also where later steps undo earlier scalings | `the_inverse_is_that_of_the_rounded_matrix` |
@@ -312,4 +313,23 @@ fn shears_have_their_factors_in_rows() {
     let t = transform(&[Step::Shear([0.5, 0.25, -0.5, 0.125, 0.75, -0.25])]);
     // x' = x + a y + b z, y' = c x + y + d z, z' = e x + f y + z at (2, 4, 8)
     assert_eq!(t.point(Point::new(2.0, 4.0, 8.0)), Point::new(6.0, 4.0, 8.5));
+}
+
+/// Law: the matrices of rotations about the axes have the cosine twice on the diagonal and ∓ the sine beside it, and the
+/// inverse is the transpose. Oracle: the book's rows, at 30°, where the sine is 1/2.
+/// Book: the basic transformations.
+#[test]
+fn rotations_have_the_books_matrices() {
+    let (c, s) = (0.75_f64.sqrt(), 0.5);
+    for (step, rows) in [
+        (Step::RotateX(30.0), [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]]),
+        (Step::RotateY(30.0), [[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]]),
+        (Step::RotateZ(30.0), [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]),
+    ] {
+        let t = transform(&[step]);
+        for (i, j) in (0..9).map(|index| (index / 3, index % 3)) {
+            near!(linear(&t)[i][j], rows[i][j], 2.0 * U, "row {i}, column {j}");
+            near!(linear(&t.inverse())[i][j], rows[j][i], 4.0 * U, "row {i}, column {j}");
+        }
+    }
 }

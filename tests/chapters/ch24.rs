@@ -16,6 +16,8 @@
 //! |  | three mirrors at right angles show seven more images of the room, mirrored along one, two or three axes and dimmed by one, two or three mirrors | `pictures::a_corner_of_mirrors_shows_eight_rooms` |
 //! |  | two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is dimmed k times | `pictures::facing_mirrors_show_a_row_of_rooms` |
 //! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `leaning::a_smooth_mirror_sends_no_ray_inside` |
+//! | fig. 24.36, a mirror cone from above | seen straight from above, a mirror cone shows its surroundings: the ring of radius ρ at the height `h (1 − ρ/r)` is reflected away from the axis, at twice the wall's slope from straight up; level if h = r | `a_mirror_cone_from_above_shows_what_is_around_it` |
+//! | fig. 24.39, an open mirror cylinder seen from its axis | seen from its axis, an open mirror cylinder shows the sky at its end in rings, the k-th by way of k mirrors: a ray that rises by H/2k of the height H to the end on each radius R of its way is reflected k times, and weighs `(k_r c_r)ᵏ` | `a_mirror_tube_shows_rings_of_the_sky` |
 //!
 //! Beyond the book: 1 in this file, 1 in `tests/laws/ch24.toml`.
 
@@ -26,6 +28,7 @@ use explain::omissions;
 use groundtruth::lights::PointLight as Lamp;
 use groundtruth::lobes::PerfectSpecular;
 use groundtruth::scene::build::phong;
+use groundtruth::shapes::Cone;
 use testkit::properties::*;
 
 use crate::prelude::*;
@@ -35,6 +38,7 @@ laws_of_light!(
     "ch24":
     an_emitter_over_k_mirrors_weighs_the_kth_power,
     a_mirror_lights_no_other_surface,
+    a_mirror_tube_shows_rings_of_the_sky,
     an_absorbing_medium_counts_the_whole_way_over_mirrors,
 );
 
@@ -283,5 +287,26 @@ fn a_mirror_that_is_not_traced_is_named() {
         said.retain(|note| !note.starts_with("no light is on"));
         assert_eq!(said.len(), notes, "{said:?}");
         assert!(said.iter().all(|note| note.contains("\"0\"")), "{said:?}");
+    }
+}
+
+/// Law: seen straight from above, a mirror cone shows its surroundings: the ring of radius ρ at the height `h (1 − ρ/r)`
+/// is reflected away from the axis, at twice the wall's slope from straight up; level if h = r. Oracle: angles in the
+/// plane through the axis.
+/// Book: fig. 24.36, a mirror cone from above.
+#[test]
+fn a_mirror_cone_from_above_shows_what_is_around_it() {
+    for (height, radius, rho, phi) in
+        [(2.0, 2.0, 0.5, 0.3), (1.0, 2.0, 1.5, 2.0), (3.0, 1.0, 0.4, 4.0)]
+    {
+        let mut scene = deep_stage(BACKGROUND, 1);
+        put(&mut scene, Cone { height, radius, inward: false }, mirror(1.0, Rgb::WHITE));
+        let out = Vector::new(sin(phi), 0.0, cos(phi));
+        let tree = recorded(&built(&scene), Point::new(0.0, 9.0, 0.0) + rho * out, -Vector::Y);
+        let [_, after] = path(&tree)[..] else { panic!("one mirror") };
+        let turned = 2.0 * atan2(height, radius);
+        near!(after, sin(turned) * out + cos(turned) * Vector::Y, 16.0 * U);
+        let at = tree.root().ray.at(tree.root().hit.as_ref().expect("the cone").t);
+        near!(at.y(), height * (1.0 - rho / radius), 32.0 * U);
     }
 }

@@ -18,6 +18,7 @@
 //! | equation 27.15 and fig. 27.15, total reflection from outside | a bubble (η < 1) reflects everything, with weight 1 and not k_r, where the ray passes the centre at a distance above η r; nearer, it reflects k_r | `the_rim_of_a_bubble_is_a_perfect_mirror` |
 //! | the image in a glass ball | a glass ball focuses a distant light at `η r/(2(η − 1))` from its centre: 1.5 r for 1.5 | `a_glass_ball_focuses_at_one_and_a_half_radii` |
 //! |  | a ball of glass shows the wall behind it upside down | `pictures::a_ball_of_glass_turns_the_wall_behind_it_around` |
+//! | figs. 27.21 and 27.26, two transparent disks | two transparent disks are a pane if their normals are opposite: behind them a ray has its first direction; if both normals point the same way, it enters twice, and has the sine `sinθ/η²` | `disks_of_one_sense_are_entered_twice` |
 //! | shadows of transparent objects | glass blocks light like any other object, unless it casts no shadows; only rays that lead to the eye are refracted | `glass_casts_a_full_shadow_unless_it_casts_none` |
 //!
 //! Beyond the book: 5 in `ray_budget`.
@@ -331,4 +332,25 @@ fn glass_casts_no_more_rays_than_a_binary_tree() {
         most = most.max(counts.camera + counts.reflected + counts.transmitted - counts.too_deep);
     }
     assert!((60..=255).contains(&most), "{most}");
+}
+
+/// Law: two transparent disks are a pane if their normals are opposite: behind them a ray has its first
+/// direction; if both normals point the same way, it enters twice, and has the sine `sinθ/η²`. Oracle: Snell's law, not
+/// at all or twice.
+/// Book: figs. 27.21 and 27.26, two transparent disks.
+#[test]
+fn disks_of_one_sense_are_entered_twice() {
+    for (second, entered) in [(-Vector::Z, 0.0), (Vector::Z, 2.0)] {
+        let mut scene = deep_stage(BACKGROUND, 2);
+        for (z, normal) in [(0.0, Vector::Z), (-3.0, second)] {
+            let disk = Disk { center: Point::new(0.0, 0.0, z), normal, radius: 50.0 };
+            put(&mut scene, disk, glass(0.0, 1.0, 1.5));
+        }
+        for theta in [0.0, 0.4, 0.8, 1.2] {
+            let to_eye = at_angle(Normal::Z, cos(theta), 0.3);
+            let tree = recorded(&built(&scene), Point::ORIGIN + 2.0 * to_eye, -to_eye);
+            let [_, _, after] = through(&tree)[..] else { panic!("two disks") };
+            near!(sine(after.ray.direction, Normal::Z), sin(theta) / power(1.5, entered), ROUNDING);
+        }
+    }
 }

@@ -15,6 +15,7 @@
 //! | the material Dielectric | the weights of the two lobes are Fresnel's R and, as radiance, `T/η²`; seen from the inner side with `1/η` | `fresnel::the_lobes_weigh_light_by_fresnels_shares` |
 //! |  | a body with the same medium on both sides cannot be seen | `equal_media_have_no_boundary` |
 //! |  | straight on, a slab of glass transmits `(1 − R)/(1 + R)` and reflects `2R/(1 + R)`: .923077 and .076923 | `a_slab_divides_light_as_all_its_inner_reflections_do` |
+//! | fig. 28.5, a ball of index 0.75 | a ball of index .75 reflects all light where a ray passes its centre at more than .75 radii, and nearer Fresnel's R; at depth 1 before uniform white it shows just that | `a_ball_rarer_than_its_surroundings_is_a_mirror_at_its_rim` |
 //! | fig. 28.6, a glass ball before white | a glass ball before uniform white, depth N ≥ 1, shows `1 − (1 − R) R^(N−1)` in each pixel, R the Fresnel value of its angle: the angles inside are all equal | `each_pixel_of_a_glass_ball_is_a_geometric_series` |
 //! |  | the centre of a glass ball before uniform white is .04, .9616, .998464 and .99993856 at depths 1 to 4 | `the_centre_of_a_glass_ball_has_the_values_of_the_book` |
 //! |  | a path that takes one of two branches at each surface has the mean of the ray tree: in uniform white a glass ball shows `1 − (1 − R) R^(N−1)` at depth N by every path tracer, here at depths 1 to 4 | `a_glass_ball_is_the_same_by_paths_as_by_trees` |
@@ -27,12 +28,14 @@
 //! |  | each ray is dimmed by the medium it is in, over its own length, also after total reflection and between nested bodies | `each_ray_is_dimmed_by_its_own_medium` |
 //! |  | in a medium that absorbs, what is infinitely far away is black, in the channels that it absorbs only; clear channels pass unchanged | `the_background_behind_an_absorbing_medium_is_black` |
 //! |  | a slab transmits `(1 − R)² a/(1 − R² a²)` and reflects `R + (1 − R)² R a²/(1 − R² a²)`, `a = exp(−σ T/cosθ_t)`, at every angle and under every tracer that follows glass: exactly with ray trees, and in the mean with paths | `an_absorbing_slab_sums_the_series_under_every_tracer` |
+//! | fig. 28.9, balls of five sizes | the colour of glass depends on its size: before uniform white the centre of a ball of radius r shows `R + (1 − R)² cf^(2r)` at depth 2, as a ball of radius 1 with the filter `cf^r` does | `a_larger_ball_of_the_same_glass_is_darker` |
 //! | 28.5, nested dielectrics | only the ratio of the indices bends light: glass in water is η = 1.5/1.33, with R = .003608 straight on, on whichever side the eye is | `glass_in_water_hardly_reflects` |
 //! | fig. 28.20, a glass box | a ray that enters a box of η > √2 never leaves through a face at right angles to the first; with 1.33 some do | `no_light_leaves_a_glass_block_by_the_next_face` |
 //! | 28.6.3, views from inside | an eye in glass looking straight out at uniform light 1, depth 1, sees `η² (1 − R) = 2.16`; with the exposure `1/η²` it sees .96 | `an_eye_in_glass_sees_2_16` |
 //! | 28.7 and 28.8, a glass of water and a fish bowl | along every ray through a glass of water, which has 8 parts, or a fish bowl, which has 7, the medium behind a boundary is the one before the next, from air to air: no gap, no overlap, no normal on the wrong side | `vessels::media_follow_one_another_along_every_ray` |
 //! |  | straight down through the water of the glass, light passes 1.2 of water and, in the base, .3 of glass, and the reflections are those of water, water to glass, and glass to air | `vessels::straight_down_a_glass_of_water_light_passes_three_boundaries` |
 //! |  | the meniscus of the fish bowl is tangent to the water's level and to the glass: x_c = .901388, y_c = .3, β = 18.408° | `vessels::the_meniscus_touches_level_and_glass_without_an_angle` |
+//! |  | a glass of water and a fish bowl whose media are all of index 1 and clear cannot be seen | `vessels::vessels_of_one_medium_cannot_be_seen` |
 //!
 //! Beyond the book: 1 in `fresnel`, 2 in `recorded_optics`, 3 in `shadows`, 5 in `tests/laws/ch28.toml`.
 
@@ -64,6 +67,8 @@ laws_of_light!(
     askew_both_sides_of_a_pane_count_alike,
     simple_glass_counts_kt_for_each_surface,
     without_the_factor_a_picture_shows_basic_radiance,
+    a_ball_rarer_than_its_surroundings_is_a_mirror_at_its_rim,
+    a_larger_ball_of_the_same_glass_is_darker,
 );
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);

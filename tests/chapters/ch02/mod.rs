@@ -21,7 +21,7 @@
 //! |  | a viewing frame has w along the direction given, u perpendicular to `up` and v on the side of `up`; it is orthonormal and right-handed; lengths do not matter | `frames::viewing_frames_are_level` |
 //! |  | with `up` along y, the u of a viewing frame is horizontal, exactly | `frames::upright_frames_have_a_horizontal_u` |
 //! |  | the directions (1, 0, 0), (0, 1, 0) and (0, 0, 1) of a frame are u, v and w in the world; going there and back changes nothing, and lengths stay | `frames::coordinates_go_there_and_back` |
-//! | equation 2.15, geometric series | `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1 (the book prints n for j in the summand); six terms with a = 1 and r = ½ make 1.968 75 | `powers::geometric_series_add_up` |
+//! | equation 2.15, geometric series | `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1 (the book prints n for j in the summand); six terms with a = 1 and r = ½ make 1.968 75; without an end it is `a/(1 − r)` | `powers::geometric_series_add_up` |
 //!
 //! Beyond the book: 1 in `angles`, 2 in `frames`, 5 in `powers`, 6 in `random`, 5 in `roots`, 5 in `vectors`.
 

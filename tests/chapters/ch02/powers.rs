@@ -36,7 +36,8 @@ proptest! {
     }
 
     /// Law: `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1 (the book
-    /// prints n for j in the summand); six terms with a = 1 and r = ½ make 1.968 75. Oracle: adding up.
+    /// prints n for j in the summand); six terms with a = 1 and r = ½ make 1.968 75; without an end it
+    /// is `a/(1 − r)`. Oracle: adding up.
     /// Book: equation 2.15, geometric series.
     #[test]
     fn geometric_series_add_up(a in 0.1..10.0_f64, r in 0.0..0.99_f64, n in 0..60_u32) {
@@ -44,6 +45,8 @@ proptest! {
         let closed = a * (1.0 - power(r, f64::from(n))) / (1.0 - r);
         near!(sum, closed, 1e-12 * a / (1.0 - r));
         prop_assert_eq!((0..6).map(|j| power(0.5, f64::from(j))).sum::<f64>(), 1.96875);
+        let all: f64 = (0..5000).map(|j| a * power(r, f64::from(j))).sum();
+        near!(all, a / (1.0 - r), 1e-12 * a / (1.0 - r));
     }
 
     /// Law: the floor is the largest whole number not above x.

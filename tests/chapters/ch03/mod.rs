@@ -16,6 +16,7 @@
 //! |  | a sphere of radius 85 covers the pixels whose centres are in its disk, π 85² within the boundary, wherever it is along the view | `picture::a_sphere_covers_the_centers_within_its_disk` |
 //! | the nearest of several objects | a pixel's normal, point and colour are those of the nearest object, whatever is tested after it | `picture::the_nearest_object_keeps_its_normal` |
 //! |  | the order in which objects are added does not matter | `picture::the_order_of_objects_does_not_matter` |
+//! | page one, 35 spheres | seen by parallel rays, 34 of the 35 spheres of page one are in the picture; the thirteenth is hidden by those in front of it | `picture::the_thirteenth_sphere_of_page_one_is_hidden` |
 //! | showing a colour: the range, gamma, bytes | the colour (2, 1, 0) is shown as (1, ½, 0); where colours out of gamut are marked, one with a channel above 1 is shown red; ½ at gamma 2.2 is 0.7297 | `film::the_books_examples_are_shown_as_in_the_book` |
 //! |  | max-to-one keeps the hue: the shares of the channels | `film::max_to_one_keeps_the_hue` |
 //! |  | gamma is applied last, after the out-of-gamut rule; raising to γ undoes it: `(x^(1/γ))^γ = x` | `film::gamma_comes_last` |

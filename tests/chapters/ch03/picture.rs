@@ -194,3 +194,19 @@ fn another_aspect_keeps_what_is_seen_from_left_to_right() {
         }
     }
 }
+
+/// Law: seen by parallel rays, 34 of the 35 spheres of page one are in the picture; the thirteenth is hidden by those in
+/// front of it. Oracle: the book's list, which says so of that sphere.
+/// Book: page one, 35 spheres.
+#[test]
+fn the_thirteenth_sphere_of_page_one_is_hidden() {
+    let mut scene = (gallery::find("ch14/page-one").expect("in the gallery").build)();
+    scene.camera.lens = Orthographic { zoom: 1.0 }.into();
+    scene.image.resize(400, 400);
+    let world = built(&scene);
+    let rays = pixels(400, 400).map(|at| camera_ray(&world, at, 0).0);
+    let hits = rays.filter_map(|ray| Some(world.hit(&ray, Span::AHEAD)?.object.name.clone()));
+    let seen: std::collections::BTreeSet<_> = hits.collect();
+    assert_eq!(seen.len(), 34);
+    assert!(!seen.contains("sphere 13"), "{seen:?}");
+}

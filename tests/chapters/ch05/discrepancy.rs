@@ -91,3 +91,32 @@ fn hammersleys_star_discrepancy_is_the_theorems() {
         assert!((found - exact).abs() < 1e-14, "m = {m}: {found} for {exact}");
     }
 }
+
+/// Law: the least distance between two of 256 points is 1/16 for regular points, on average `1/(√2 N)` for random
+/// ones, and for jittered ones `Γ(4/3) c^(−1/3)`, where `c d³` pairs of neighbouring cells are expected to have points
+/// nearer than d. Oracle: those values, from the area within d of a point or of a common side; pairs at corners make
+/// jittered points a little closer. The means of 332 sets are known to 3 %.
+/// Book: what makes a pattern good.
+#[test]
+fn least_distances_are_those_of_the_patterns() {
+    let least = |points: &[[f64; 2]]| {
+        let pairs =
+            points.iter().enumerate().flat_map(|(i, p)| points[..i].iter().map(move |q| (p, q)));
+        pairs
+            .map(|(p, q)| (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]))
+            .fold(f64::INFINITY, f64::min)
+            .sqrt()
+    };
+    let mut random = Pcg32::new(256, 1);
+    near!(least(&built(Regular {}).fill(256, &mut random)), 1.0 / 16.0, 1e-15);
+    // 480 pairs of cells with a common side of 1/16; two points as dense as 256 each
+    let c = 480.0 * 256.0 * 256.0 / 16.0 * 2.0 / 3.0;
+    for (kind, expected) in [
+        (Kind::from(Random {}), 1.0 / (2.0_f64.sqrt() * 256.0)),
+        (Jittered {}.into(), 0.892_979_5 * power(c, -1.0 / 3.0)),
+    ] {
+        let sampler = built(kind);
+        let mean = (0..332).map(|_| least(&sampler.fill(256, &mut random))).sum::<f64>() / 332.0;
+        near!(mean / expected, 1.0, 0.15, "{sampler:?}");
+    }
+}

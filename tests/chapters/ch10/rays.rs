@@ -127,3 +127,25 @@ proptest! {
         above!(side * (z - f), -slack * (z - f).abs());
     }
 }
+
+/// Law: the focal distances 50, 74 and 98 put the fronts of the three boxes in focus, one after the other: rays from
+/// different points of the lens meet there. Oracle: the fronts of the boxes in the scenes, and the plane they lie in.
+/// Book: figs. 10.9 and 10.10, three boxes in focus.
+#[test]
+fn each_focal_distance_of_the_book_is_that_of_a_box() {
+    for (figure, name) in [("near", "near box"), ("middle", "middle box"), ("far", "far box")] {
+        let entry = gallery::find(&format!("ch10/{figure}-focus")).expect("in the gallery");
+        let scene = (entry.build)();
+        let sharp = scene.objects.iter().find(|object| object.name == name).expect("a box");
+        let shapes::Kind::Cuboid(Cuboid { max, .. }) = &sharp.shape else {
+            panic!("{:?}", sharp.shape)
+        };
+        let view = scene.camera.build(ANY_FILM).expect("a valid camera");
+        let met = [[0.0, 0.0], [0.7, 0.1], [-0.3, 0.9]].map(|lens| {
+            let ray = view.eyes()[0].ray([3.0, -2.0], lens).expect("it sees all its film");
+            ray.at((max.z() - ray.origin.z()) / ray.direction.z())
+        });
+        near!(met[1], met[0], 1e-12, "{figure}");
+        near!(met[2], met[0], 1e-12, "{figure}");
+    }
+}

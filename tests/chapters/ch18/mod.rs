@@ -10,6 +10,7 @@
 //! | fig. 18.5, lights that are disks and spheres | a disk parallel to the surface, of radius R at height h on its axis, lights it with `R²/(R² + h²)` of the cosine-weighted sky; displaced sideways by a, with `½ (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R² a²))` | `a_parallel_disk_gives_its_closed_form` |
 //! |  | a sphere of radius R at the distance D and at the angle θ from the normal gives `E = π L (R/D)² cosθ` above the horizon, and the closed form where the horizon cuts it; sampled by area, where half the samples face away, and by solid angle | `a_sphere_gives_its_closed_form_however_it_is_sampled` |
 //! |  | by area the density at a point of a sphere is `d²/(4πr² cosθ')` as seen from outside, from nearby to 10¹² radii away | `sphere::the_density_by_area_is_that_of_the_point` |
+//! | fig. 18.6, a light that touches the ground | a rectangle that stands on the floor at the distance c, one lower corner straight ahead, of width b and height a, lights it with the share `(atan(b/c) − c/√(a² + c²) atan(b/√(a² + c²)))/2π` of the cosine-weighted sky; one with its middle ahead with twice that of a half | `a_rectangle_that_stands_on_the_floor_gives_its_form_factor` |
 //! | umbra and penumbra | the share of a lamp that is visible past a beam is that by similar triangles, everywhere: the umbra is `B − (w − B) h/(H − h)` wide if that is positive, umbra and penumbra together `B + (B + w) h/(H − h)`, for a beam B at height h under a lamp w at height H | `penumbra::umbra_and_penumbra_have_the_widths_of_similar_triangles` |
 //! | environment lights | under a free sky a matte surface has the radiance `k_d c_d L`, in each single sample: directions drawn in proportion to the cosine leave no variance | `sky::each_sample_of_a_free_sky_is_the_whole_of_it` |
 //! |  | the variance of the sky's light falls with the number of samples: as 1/N for random ones, faster for multi-jittered ones | `sky::multi_jittered_noise_falls_faster_than_random_noise` |
@@ -37,6 +38,7 @@ use crate::support::stage::*;
 laws_of_light!(
     "ch18":
     a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents,
+    a_rectangle_that_stands_on_the_floor_gives_its_form_factor,
     a_parallel_disk_gives_its_closed_form,
     a_sphere_gives_its_closed_form_however_it_is_sampled,
     only_the_near_side_of_a_sphere_shines_outside,

@@ -32,6 +32,7 @@ fn the_textbook_quartics_have_their_roots() {
 
 /// Law: a root of multiplicity k is found as near to its value as rounding allows: within about u^(1/k)
 /// (numerics.md). Oracle: coefficients made from the roots.
+/// Book: tori and their quartic equation.
 #[test]
 fn roots_that_meet_are_never_lost() {
     let with = |roots: &[f64]| {

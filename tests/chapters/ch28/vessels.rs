@@ -175,3 +175,17 @@ fn the_meniscus_touches_level_and_glass_without_an_angle() {
     assert!((to_degrees(atan2(contact.y(), contact.x())) - 18.408).abs() < 0.01, "{contact:?}");
     assert!((contact.to_vector().length() - 1.0).abs() < 1e-6, "{contact:?}");
 }
+
+/// Law: a glass of water and a fish bowl whose media are all of index 1 and clear cannot be seen. Oracle: the
+/// background, exactly.
+/// Book: 28.7 and 28.8, a glass of water and a fish bowl.
+#[test]
+fn vessels_of_one_medium_cannot_be_seen() {
+    let background = Rgb::new(0.25, 0.5, 1.0);
+    for shape in [glass_of_water, fish_bowl] {
+        let world = built(&vessel(shape, [AIR; 3], background));
+        for ray in rays(9).take(2_000) {
+            assert_eq!(look(&world, ray.origin, ray.direction), background, "{ray:?}");
+        }
+    }
+}

@@ -7,6 +7,7 @@
 //! |  | around an object there is one seam, at φ = 0: a step of a thousandth of a turn changes u by as much, but across the seam by 1 less | `mappings::there_is_one_seam` |
 //! |  | texture coordinates are within 0 and 1, on the object and within rounding of it, at poles and on seams too | `mappings::coordinates_are_between_0_and_1` |
 //! | light probes | the centre of a light probe is +z, the plane z = 0 is a circle of half the radius, and −z is the rim; the panoramic kind has z the other way round | `mappings::a_light_probe_is_mapped_by_the_angle_to_its_axis` |
+//! | fig. 29.16, a light probe seen by a fisheye of 360° | a camera that maps directions as an image does shows that image: a fisheye of 360° shows a panoramic light probe as it is along −z, and a light probe mirrored along +z; a panorama of 360° × 180° a spherical map mirrored | `sky::a_fisheye_all_around_shows_the_image_of_a_light_probe` |
 //! | from texture coordinates to texels | by the book's rule a texel covers 1/(n − 1), and the last column and row are reached at 1 only | `texels::the_books_rule_reaches_the_last_texel_at_1_only` |
 //! |  | by the even rule each texel covers 1/n of the image, and rows count from the bottom | `texels::each_texel_covers_an_equal_part_by_the_even_rule` |
 //! | fig. 29.19, bilinear interpolation | bilinear look-up is the sum of tents around the centres of the texels, by either rule and at every border; therefore it is exact at centres, reproduces affine images and stays between its neighbours | `texels::bilinear_look_up_is_a_sum_of_tents` |

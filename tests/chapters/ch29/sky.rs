@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use groundtruth::background::{Background, Directions, Dome, Image, ImageSky, Sky};
+use groundtruth::cameras::{self, Fisheye, SphericalPanorama, ViewPlane};
 use groundtruth::film::{self, Tone};
 use groundtruth::kinds::Resources;
 use groundtruth::textures::{Filtering, Mapping};
@@ -204,6 +205,31 @@ fn a_sky_of_one_colour_is_the_colour() {
                 let seen = Sky::Image(Arc::clone(&sky)).radiance(&Ray::new(Point::ORIGIN, w));
                 assert_eq!(seen, color, "{dome:?}, {filtering:?} towards {w:?}");
             }
+        }
+    }
+}
+
+/// Law: a camera that maps directions as an image does shows that image: a fisheye of 360° shows a panoramic light probe as
+/// it is along −z, and a light probe mirrored along +z; a panorama of 360° × 180° a spherical map mirrored. Oracle: the
+/// image, pixel by pixel.
+/// Book: fig. 29.16, a light probe seen by a fisheye of 360°.
+#[test]
+fn a_fisheye_all_around_shows_the_image_of_a_light_probe() {
+    let fisheye = cameras::Kind::from(Fisheye { fov: 360.0, rectangular: false });
+    let panorama = SphericalPanorama { horizontal_fov: 360.0, vertical_fov: 180.0 };
+    for (dome, lens, ahead, is_mirrored) in [
+        (Dome::Panoramic, fisheye.clone(), -1.0, false),
+        (Dome::LightProbe, fisheye, 1.0, true),
+        (Dome::Spherical, panorama.into(), -1.0, true),
+    ] {
+        let sky = sky(&image("all-around", dome, Filtering::Nearest));
+        let view = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, ahead), lens);
+        let view = view.build(ViewPlane { width: 12.0, height: 8.0 }).expect("a valid view");
+        for [column, row] in (0..12 * 8).map(|i| [i % 12, i / 12]) {
+            let film = [f64::from(column) - 5.5, f64::from(row) - 3.5];
+            let Some(ray) = view.eyes()[0].ray(film, [0.0; 2]) else { continue };
+            let there = if is_mirrored { 11 - column } else { column };
+            assert_eq!(sky.radiance(ray.direction), ragged([there, row]), "{dome:?}, {column}");
         }
     }
 }

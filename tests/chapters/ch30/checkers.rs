@@ -239,3 +239,19 @@ fn the_defaults_are_the_books() {
         assert_eq!(at(&texture, generic.point(0.02, 0.03)), Rgb::WHITE, "{generic:?}: first");
     }
 }
+
+/// Law: around an object of an even number of columns the colours alternate, the seam included; of an odd number one pair
+/// of equal neighbours is left, at the seam. Oracle: counting changes of colour.
+/// Book: two-dimensional checkers with outlines.
+#[test]
+fn an_odd_number_of_columns_leaves_two_equal_neighbours_at_the_seam() {
+    for (generic, n) in
+        [Sphere, Cylinder, Cone, Disk].map(|it| (1..25).map(move |n| (it, n))).into_iter().flatten()
+    {
+        let checker = generic.checker([n, 7], 1.0, [0.0; 2]);
+        let middle =
+            |i: u32| at(&checker, generic.point((f64::from(i % n) + 0.5) / f64::from(n), 0.6));
+        let changes: Vec<u32> = (0..n).filter(|&i| middle(i) != middle(i + 1)).collect();
+        assert_eq!(changes, (0..n - n % 2).collect::<Vec<_>>(), "{generic:?}: {n} columns");
+    }
+}

@@ -245,3 +245,20 @@ fn a_row_of_lattice_points_has_each_entry_once() {
     assert!(mean.abs() < 0.18, "the mean is {mean}, expected 0");
     assert!((variance - 1.0 / 3.0).abs() < 0.094, "the variance is {variance}, expected 1/3");
 }
+
+/// Law: in the middle of its cells linear noise has the mean of the table, about 0, and an eighth of its variance, about
+/// 1/24. Oracle: the mean of eight independent entries; some cells have an entry twice, so that a quarter of the variance
+/// is allowed.
+/// Book: linear and cubic interpolation.
+#[test]
+fn in_the_middle_of_cells_linear_noise_has_an_eighth_of_the_variance() {
+    let noise = built(linear(1));
+    let (table_mean, table_variance) = moments(noise.lattice().values());
+    let middle = |i: u32| {
+        let at = [i % 64, i / 64 % 64, i / 4096].map(|c| f64::from(c) + 0.5);
+        noise.value(Point::from(at))
+    };
+    let (mean, variance) = moments(&(0..64 * 64 * 64).map(middle).collect::<Vec<_>>());
+    near!(mean, table_mean, 0.01);
+    near!(8.0 * variance / table_variance, 1.0, 0.25);
+}

@@ -42,6 +42,21 @@ proptest! {
         }
     }
 
+    /// Law: one octave of fBm is `(noise + 1)/2`, and of turbulence `|noise|`, whatever the gain; fBm of gain 1/2 and
+    /// lacunarity 2 is the fractal sum. Oracle: one function against another.
+    /// Book: fractal sums, turbulence and fBm.
+    #[test]
+    fn one_octave_is_the_noise_and_halving_octaves_are_the_fractal_sum(
+        p in point(20.0),
+        noise in oracle::noises(),
+    ) {
+        let one = built(Noise { octaves: 1, ..noise });
+        near!(one.value_fbm(p), 0.5 * (one.value(p) + 1.0), 2.0 * U);
+        near!(one.value_turbulence(p), one.value(p).abs(), 2.0 * U);
+        let halving = built(Noise { gain: 0.5, lacunarity: 2.0, ..noise });
+        near!(halving.value_fbm(p), halving.value_fractal_sum(p), 4.0 * U);
+    }
+
     /// Law: fBm, fractal sum and turbulence are from 0 to 1, to the last bit, for any number of octaves
     /// and any gain and lacunarity, near and far.
     /// Book: fractal sums, turbulence and fBm.
