@@ -104,11 +104,6 @@ impl Inspector {
         inspector
     }
 
-    /// Explains an interesting pixel until one is selected.
-    pub fn propose(&mut self, ctx: &Context) {
-        self.selection.propose(ctx, &self.session.rendering);
-    }
-
     /// Whether anything is still being computed.
     pub fn is_busy(&self) -> bool {
         let rendering = &self.session.rendering;

@@ -53,7 +53,7 @@ impl Start {
                 match arguments.pixel {
                     None if !logs.is_empty() => {}
                     Some(pixel) => inspector.explain(pixel, arguments.sample.unwrap_or(0)),
-                    None => inspector.propose(ctx),
+                    None => inspector.selection.propose(ctx, &inspector.session.rendering),
                 }
                 inspector
             }

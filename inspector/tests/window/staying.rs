@@ -143,7 +143,8 @@ fn a_changed_mesh_file_is_read_again() {
 #[test]
 fn a_pixel_is_proposed() {
     let mut window = glass_window();
-    window.state_mut().propose(&Context::default());
+    let inspector = window.state_mut();
+    inspector.selection.propose(&Context::default(), &inspector.session.rendering);
     set(&mut window, |it| it.message = Some(("an error of a link".to_owned(), true)));
     text_with(&window, "an error of a link");
     let proposed = window.state().selection.pixel.expect("a pixel is explained");
