@@ -225,19 +225,18 @@ fn small_rays_are_counted_and_not_drawn() {
     let rays = root.rays();
     let (filter, all) = (Filter::default(), Filter::ALL);
     let (drawn, small) = filter.drawn(&root, 0);
-    let is_small = |ray: &&&RecordedRay| ray.share < 0.005;
     assert_eq!(drawn.len() + small, rays.len());
-    let blocked =
-        |number: &usize| root.path_to(*number).last().is_some_and(|it| it.blocked_by.is_some());
-    assert!(drawn.iter().all(|number| {
-        blocked(number) || root.path_to(*number).iter().all(|ray| ray.share >= 0.005)
-    }));
-    let smallest =
-        rays.iter().filter(is_small).find(|ray| ray.blocked_by.is_none()).expect("small");
+    let is_large = |number: &usize| root.path_to(*number).iter().all(|ray| ray.share >= 0.005);
+    assert!(drawn.iter().all(is_large));
+    let smallest = rays.iter().find(|ray| ray.share < 0.005).expect("small");
     assert!(small > 0 && !drawn.contains(&smallest.number));
     let with_it = filter.drawn(&root, smallest.number).0;
     assert!(root.path_to(smallest.number).iter().all(|ray| with_it.contains(&ray.number)));
     assert_eq!(all.drawn(&root, 0), ((0..rays.len()).collect(), 0));
+    let acne = (gallery::find("ch16/surface-acne").expect("in the gallery").build)();
+    let dark = ray_of(&acne, [138, 115], 0);
+    assert!(dark.children.iter().any(|ray| ray.share == 0.0 && ray.blocked_by.is_some()));
+    assert_eq!(filter.drawn(&dark, 0), ((0..dark.count()).collect(), 0));
 }
 
 /// Law: the slider walks along the path to the ray that was selected, there and back: each step selects the next ray of it, and
