@@ -193,8 +193,8 @@ fn mean_is(symptom: &str, values: &[f64], right: f64) -> Judgement {
         return Judgement::Right(0.0);
     }
     let expected = format!("a mean of {right:.6} over all u, not {mean:.6}");
-    // a grid tells a known factor from others, and no digits of an unknown one
-    let fits = |factor: f64| (mean - factor * right).abs() <= SHARE * (factor * right).abs();
+    // a grid tells a known factor from others, which are some 5 % away, and no digits of an unknown one
+    let fits = |factor: f64| (mean - factor * right).abs() <= 0.01 * (factor * right).abs();
     let factors = mistakes::FACTORS.iter().filter(|(_, factor)| fits(*factor));
     Judgement::wrong(symptom, f64::INFINITY, expected).with(factors.map(|(mistake, _)| *mistake))
 }
