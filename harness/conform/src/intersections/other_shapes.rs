@@ -2,16 +2,20 @@
 
 use serde_json::Value;
 
-use super::super::mistakes::{Mistake, same};
+use super::super::mistakes::{Mistake, OF_FUNCTIONS, same};
 use super::super::probe::ours;
-use super::super::values::mistaken;
 
 /// The mistakes with which our answer to an `intersect` or `occluded` is theirs.
 pub fn of_other_shapes(question: &Value, theirs: &Value) -> Vec<&'static Mistake> {
     let Ok(right) = ours(question) else { return Vec::new() };
-    let is_theirs = |other: &Value| is_same(theirs, other) && !is_same(&right, other);
-    let others = mistaken(question, &right).into_iter();
-    others.filter(|(_, other)| is_theirs(other)).map(|(mistake, _)| mistake).collect()
+    let is_it = |mistake: &&Mistake| {
+        let mut other = question.clone();
+        let data = other.as_object_mut().and_then(|all| all.values_mut().next());
+        let changed = data.and_then(|data| mistake.known().change(data));
+        let answer = changed.and_then(|()| ours(&other).ok());
+        answer.is_some_and(|answer| is_same(theirs, &answer) && !is_same(&right, &answer))
+    };
+    OF_FUNCTIONS.iter().filter(is_it).collect()
 }
 
 /// Whether two answers have the same hits: distances and, of one hit, its normal.

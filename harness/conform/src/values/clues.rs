@@ -85,7 +85,7 @@ fn name(question: &Value) -> &str {
 }
 
 /// The answers of programs with one mistake. Those to whole scenes are looked for elsewhere.
-pub fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
+fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
     let mut all: Vec<&'static Mistake> = mistakes::OF_FUNCTIONS.iter().collect();
     for (mistake, _) in coded(name(question)).questions {
         if !all.contains(mistake) {

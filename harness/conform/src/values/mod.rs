@@ -6,8 +6,6 @@
 
 mod clues;
 
-pub use clues::mistaken;
-
 use ask::{nan_in, number, numbers};
 use serde_json::Value;
 
