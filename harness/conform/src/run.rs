@@ -111,23 +111,15 @@ pub fn run(
 /// Leaves out names of scenes without noise of which a right answer to another such scene of the chapter says that the program has
 /// them not: all are traced by the same code.
 fn refute_by_others(asked: &mut [Running<'_>]) {
-    let is_exact_scene =
-        |family: &Family| family.about.starts_with("scenes/") && family.name.ends_with(".values");
     for index in 0..asked.len() {
-        let family = asked[index].family;
-        if !is_exact_scene(family) {
-            continue;
-        }
         let mut names = std::mem::take(&mut asked[index].row.names);
-        let others = || {
-            asked
-                .iter()
-                .filter(|it| it.family.chapter == family.chapter && is_exact_scene(it.family))
+        let chapter = asked[index].family.chapter;
+        let others = || asked.iter().filter(|it| it.family.chapter == chapter);
+        let is_refuted = |name: &Name| match name {
+            Name::Known { mistake, .. } => others().any(|other| other.refutes(mistake)),
+            Name::Factor(_) => false,
         };
-        names.retain(|name| match name {
-            Name::Known { mistake, .. } => !others().any(|other| other.refutes(mistake)),
-            Name::Factor(_) => true,
-        });
+        names.retain(|name| !asked[index].is_exact_scene() || !is_refuted(name));
         asked[index].row.names = names;
     }
 }
@@ -315,6 +307,11 @@ impl<'a> Running<'a> {
         }
     }
 
+    /// Whether it is of scenes without noise.
+    fn is_exact_scene(&self) -> bool {
+        self.family.about.starts_with("scenes/") && self.family.name.ends_with(".values")
+    }
+
     /// Whether a right answer says that the program has not this mistake.
     fn refutes(&self, mistake: &'static Mistake) -> bool {
         let Some(namer) = self.family.namer else { return false };
@@ -330,7 +327,7 @@ impl<'a> Running<'a> {
         }
     }
 
-    /// Names what is wrong, and makes the first failure smaller. Answers are not kept beyond that.
+    /// Names what is wrong, and makes the first failure smaller. Only right answers of scenes without noise are kept beyond that.
     fn finish(&mut self, subject: &mut dyn Subject, options: &Options, spent: &mut Duration) {
         self.is_done = true;
         self.cases = Vec::new();
@@ -341,6 +338,9 @@ impl<'a> Running<'a> {
         self.row.is_left_handed = wrong.iter().any(is_left)
             && wrong.iter().all(|one| is_left(one) || one.theirs.is_empty());
         wrong.iter_mut().for_each(|one| one.clues.retain(|it| *it != &LEFT_HANDED));
+        if !self.is_exact_scene() {
+            self.right = Vec::new();
+        }
         self.row.names = guarded(|| names(&wrong)).unwrap_or_default();
         if let CommonAnswer::Always(answer) = &self.common
             && let Some(name) = always(self.family.question(), answer, &self.row.names, &wrong)
