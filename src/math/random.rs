@@ -36,10 +36,10 @@ impl Pcg32 {
 
     /// A uniform whole number below `n > 0`, without bias (rejection).
     pub fn below(&mut self, n: u32) -> u32 {
-        let threshold = n.wrapping_neg() % n;
         loop {
             let r = self.next_u32();
-            if r >= threshold {
+            // the threshold, 2³² mod n, is below n: most numbers need no division for it
+            if r >= n || r >= n.wrapping_neg() % n {
                 return r % n;
             }
         }

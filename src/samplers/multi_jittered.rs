@@ -12,23 +12,19 @@ without_settings!(MultiJittered);
 
 impl Sampler for MultiJittered {
     fn fill(&self, n: u32, random: &mut Pcg32) -> Vec<[f64; 2]> {
-        let side = side(n);
+        let (n, side) = (next_square(n), side(n) as usize);
         // the canonical arrangement: in cell (i, j), column i n + j and row j n + i of n²
-        let mut columns: Vec<Vec<u32>> = Vec::new();
-        let mut rows: Vec<Vec<u32>> = Vec::new();
-        for i in 0..side {
-            columns.push((0..side).map(|j| i * side + j).collect());
-            rows.push((0..side).map(|j| i * side + j).collect());
-        }
+        let mut columns: Vec<u32> = (0..n).collect();
+        let mut rows = columns.clone();
         // within each column of cells the fine columns are permuted; within each row the fine rows
-        columns.iter_mut().for_each(|fine| random.shuffle(fine));
-        rows.iter_mut().for_each(|fine| random.shuffle(fine));
+        columns.chunks_mut(side).for_each(|fine| random.shuffle(fine));
+        rows.chunks_mut(side).for_each(|fine| random.shuffle(fine));
 
-        let mut jitter = |fine: u32| in_stratum(fine, side * side, random);
-        let mut points = Vec::with_capacity((side * side) as usize);
-        for i in 0..side as usize {
-            for j in 0..side as usize {
-                points.push([jitter(columns[i][j]), jitter(rows[j][i])]);
+        let mut jitter = |fine: u32| in_stratum(fine, n, random);
+        let mut points = Vec::with_capacity(n as usize);
+        for i in 0..side {
+            for j in 0..side {
+                points.push([jitter(columns[i * side + j]), jitter(rows[j * side + i])]);
             }
         }
         points

@@ -141,9 +141,9 @@ impl SampleSets {
         let mut permutations = Vec::with_capacity(SETS * per_set as usize);
         for _ in 0..SETS {
             samples.extend(sampler.fill(per_set, &mut random));
-            let mut permutation: Vec<u32> = (0..per_set).collect();
-            random.shuffle(&mut permutation);
-            permutations.extend(permutation);
+            let start = permutations.len();
+            permutations.extend(0..per_set);
+            random.shuffle(&mut permutations[start..]);
         }
         let shifted = sampler.is_shifted();
         let only = samples.first().copied();

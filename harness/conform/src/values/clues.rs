@@ -10,8 +10,24 @@ use super::super::probe::ours;
 use super::super::questions::{AsAnswer, mistakes as coded};
 use super::Leaf;
 
+/// The mistakes that give what stands in one place of their answer.
+pub fn of_leaf(
+    question: &Value,
+    leaf: &Leaf,
+    answer: &Value,
+    theirs: &Value,
+) -> Vec<&'static Mistake> {
+    match (leaf.of(theirs), leaf.right.numbers()) {
+        (Some(theirs), Some(_)) if leaf.is_nan_in(theirs) => of_nan(question, leaf, answer),
+        (Some(theirs), Some(right)) => leaf
+            .numbers_in(theirs)
+            .map_or(Vec::new(), |theirs| of_numbers(question, leaf, answer, (&theirs, right))),
+        _ => Vec::new(),
+    }
+}
+
 /// The mistakes that give just these numbers.
-pub fn of_numbers(
+fn of_numbers(
     question: &Value,
     leaf: &Leaf,
     answer: &Value,
@@ -71,7 +87,7 @@ pub fn is_contradicted(
 }
 
 /// The mistakes whose value is no number here, such as 0/0.
-pub fn of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
+fn of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
     let is_cause = |(mistake, alternative): &AsAnswer| {
         let other = alternative(question, &leaf.field, answer)?;
         other.iter().any(|x| x.is_nan()).then_some(*mistake)
@@ -92,32 +108,40 @@ fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
             all.push(mistake);
         }
     }
+    let Some(told) = told(question, right) else { return Vec::new() };
     let of = |it: &'static Mistake| {
-        with(it, question, right).into_iter().map(move |answer| (it, answer))
+        made(it, question, &told).into_iter().map(move |answer| (it, answer))
     };
     all.into_iter().flat_map(of).collect()
 }
 
 /// The answers of programs with this mistake, one for each way to make it.
 fn with(mistake: &Mistake, question: &Value, right: &Value) -> Vec<Value> {
+    told(question, right).map_or(Vec::new(), |told| made(mistake, question, &told))
+}
+
+/// What a question says, with our answer as its field `answer`: mistakes change either. Not of those with scenes.
+fn told(question: &Value, right: &Value) -> Option<Value> {
+    let mut told = question[name(question)].clone();
+    let fields = told.as_object_mut().filter(|it| !it.contains_key("scene"))?;
+    fields.insert("answer".to_owned(), right.clone());
+    Some(told)
+}
+
+/// The answers of programs with this mistake to a question, which is told with our answer.
+fn made(mistake: &Mistake, question: &Value, told: &Value) -> Vec<Value> {
     let name = name(question);
-    let data = &question[name];
-    if data.get("scene").is_some() || !data.is_object() {
-        return Vec::new();
-    }
     let by_code = coded(name).questions.iter().filter(|(coded, _)| *coded == mistake);
     let by_code = by_code.filter_map(|(_, change)| {
         let mut changed = question.clone();
         change(&mut changed)?;
         ours(&changed).ok()
     });
-    let mut told = data.clone();
-    told["answer"] = right.clone();
     let answered = |mut changed: Value| {
         let answer = changed.as_object_mut()?.remove("answer")?;
-        if changed == *data { Some(answer) } else { ours(&json!({name: changed})).ok() }
+        if changed == question[name] { Some(answer) } else { ours(&json!({name: changed})).ok() }
     };
-    let ways = mistake.known().ways(&told).into_iter().flatten();
+    let ways = mistake.known().ways(told).into_iter().flatten();
     by_code.chain(ways.filter_map(answered)).collect()
 }
 

@@ -105,6 +105,19 @@ impl Leaf {
         false
     }
 
+    /// The numbers that stand in its place, where they are as many as ours: one, or a list.
+    fn numbers_in(&self, theirs: &Value) -> Option<Vec<f64>> {
+        match self.right {
+            Part::Numbers(_) => numbers(theirs),
+            _ => number(theirs).map(|x| vec![x]),
+        }
+    }
+
+    /// Whether what stands in its place is not a number, or a list with one that is none.
+    fn is_nan_in(&self, theirs: &Value) -> bool {
+        nan_in(theirs) && matches!(self.right, Part::Numbers(_)) == theirs.is_array()
+    }
+
     /// Its name in messages.
     fn name(&self) -> &str {
         if self.field.is_empty() { "value" } else { &self.field }
@@ -161,8 +174,9 @@ type Found = (Judgement, bool);
 /// Judges by our own answer.
 pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
-    let mut judgement = compare((question, &right), theirs, profile, rules);
+    let (mut judgement, leaf) = compare((question, &right), theirs, profile, rules);
     let Judgement::Wrong(wrong) = &mut judgement else { return judgement };
+    wrong.clues = leaf.map_or(Vec::new(), |leaf| clues::of_leaf(question, &leaf, &right, theirs));
     wrong.clues.retain(|it| !clues::is_contradicted(question, &right, theirs, it));
     // where there is something and should be nothing, or the other way round, no numbers are compared
     let is_answer = theirs.is_null() || theirs.is_object();
@@ -173,33 +187,35 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
     }
 }
 
-/// Judges by the right answer.
+/// Judges by the right answer: what is wrong first, and where.
 fn compare(
     (question, right): (&Value, &Value),
     theirs: &Value,
     profile: Profile,
     rules: &Rules,
-) -> Judgement {
+) -> (Judgement, Option<Leaf>) {
     let ours = leaves(right, rules);
     let check = |(leaf, cond): (&Leaf, f64)| match leaf.of(theirs) {
-        Some(their) => judge_leaf(question, right, leaf, their, cond, profile),
+        Some(their) => judge_leaf(leaf, their, cond, profile),
         None => missing(leaf, right, theirs, rules),
     };
     // what is right for a condition of 1 needs no other: measuring it takes a call for each number
     let found: Vec<Found> = ours.iter().map(|leaf| check((leaf, 0.0))).collect();
-    let is_certain = |(judgement, certain): &&Found| *certain && !judgement.is_right();
-    if let Some((wrong, _)) = found.iter().find(is_certain) {
-        return wrong.clone();
+    let is_certain = |(judgement, certain): &Found| *certain && !judgement.is_right();
+    if let Some(at) = found.iter().position(is_certain) {
+        return (found[at].0.clone(), Some(ours[at].clone()));
     }
     if let found @ (Judgement::Right(_) | Judgement::Lacks(_)) =
         first_wrong(found.into_iter().map(|(it, _)| it))
     {
-        return found;
+        return (found, None);
     }
     let Some(conditions) = conditions(question, right, profile, rules) else {
-        return Judgement::Undecided;
+        return (Judgement::Undecided, None);
     };
-    first_wrong(ours.iter().zip(conditions).map(|leaf| check(leaf).0))
+    let judged: Vec<_> = ours.iter().zip(conditions).map(|leaf| check(leaf).0).collect();
+    let first = judged.iter().position(|it| !it.is_right()).map(|at| ours[at].clone());
+    (first_wrong(judged), first)
 }
 
 /// A field that is not needed may be left out, but not replaced by something else.
@@ -222,14 +238,7 @@ fn missing(leaf: &Leaf, right: &Value, theirs: &Value, rules: &Rules) -> Found {
     (Judgement::wrong(&symptom, f64::INFINITY, leaf.shown()), certain)
 }
 
-fn judge_leaf(
-    question: &Value,
-    answer: &Value,
-    leaf: &Leaf,
-    their: &Value,
-    cond: f64,
-    profile: Profile,
-) -> Found {
+fn judge_leaf(leaf: &Leaf, their: &Value, cond: f64, profile: Profile) -> Found {
     let wrong = |symptom: String| Judgement::wrong(&symptom, f64::INFINITY, leaf.shown());
     let of_other_type = || (wrong(leaf.name().to_owned()), !their.is_null());
     let right = match &leaf.right {
@@ -250,13 +259,10 @@ fn judge_leaf(
     if right.iter().any(|x| x.is_nan()) {
         return (Judgement::Undecided, false);
     }
-    let is_list = matches!(leaf.right, Part::Numbers(_));
-    if nan_in(their) && is_list == their.is_array() {
-        let causes = clues::of_nan(question, leaf, answer);
-        return (wrong(format!("{} is not a number", leaf.name())).with(causes), true);
+    if leaf.is_nan_in(their) {
+        return (wrong(format!("{} is not a number", leaf.name())), true);
     }
-    let theirs = if is_list { numbers(their) } else { number(their).map(|x| vec![x]) };
-    let Some(theirs) = theirs else { return of_other_type() };
+    let Some(theirs) = leaf.numbers_in(their) else { return of_other_type() };
     let size = largest(right).max(UNIT);
     let error = distance(&theirs, right) / (UNIT_ROUNDOFF * cond.max(size));
     if error <= profile.allowed() {
@@ -273,7 +279,7 @@ fn judge_leaf(
         symptom,
         error,
         expected: leaf.shown(),
-        clues: clues::of_numbers(question, leaf, answer, (&theirs, right)),
+        clues: Vec::new(),
         beside: Vec::new(),
         ratio: mistakes::ratio(&theirs, right),
         // a list of another length has no meaning, and may be long

@@ -85,7 +85,8 @@ impl KnownMistake {
     /// make it; `None` where there is nothing to change.
     pub fn ways(&self, data: &Value) -> Vec<Option<Value>> {
         let way = |edits: &Vec<Edit>| {
-            let mut changed = data.clone();
+            // most mistakes change pictures alone: for them no question is copied
+            let mut changed = (!edits.is_empty()).then(|| data.clone())?;
             apply(edits, &mut changed).map(|()| changed)
         };
         std::iter::once(&self.change).chain(&self.asked).map(way).collect()
