@@ -30,7 +30,7 @@ pub fn stage(
     for n in sizes(settings.objects) {
         let objects = (stage.objects)(n, settings.seed);
         let mut expected = None;
-        for structure in Structure::all() {
+        for structure in Structure::ALL {
             match run(structure, &objects, &rays) {
                 Ok((run, answers)) => {
                     data.agree &= *expected.get_or_insert_with(|| answers.clone()) == answers;
@@ -60,14 +60,15 @@ fn run(structure: Structure, objects: &Objects, rays: &[Ray]) -> Result<(Run, An
         return Err(many(objects.count() as f64));
     }
     // on all threads: only the elapsed time is meaningful
-    let (built, building) = time(|| structure.build(objects));
-    let counted = structure.build_counted(objects);
+    let (built, building) = time(|| structure.build(objects, objects.mesh.as_ref()));
+    // of a mesh: over its triangles as shapes, with the same boxes
+    let counted = structure.build(objects, None);
     let probes = spread(rays, PROBES);
     let [mut tests, mut steps] = count(&counted, objects, &probes);
     if tests > MAX_TESTS {
         return Err(many(tests));
     }
-    let answers = probes.iter().map(|ray| built.nearest(objects, ray, None)).collect();
+    let answers = probes.iter().map(|ray| built.nearest(objects, ray, [(); 2])).collect();
     if tests * (COUNTED as f64) < TESTS {
         [tests, steps] = count(&counted, objects, &spread(rays, COUNTED));
     }
@@ -76,7 +77,7 @@ fn run(structure: Structure, objects: &Objects, rays: &[Ray]) -> Result<(Run, An
     let timed = spread(rays, affordable.max(PROBES));
     let mut picture = || {
         for ray in &timed {
-            black_box(built.nearest(objects, black_box(ray), None));
+            black_box(built.nearest(objects, black_box(ray), [(); 2]));
         }
     };
     let round = medians(ROUNDS, &mut [&mut picture])[0];
@@ -108,9 +109,10 @@ fn spread(rays: &[Ray], max: usize) -> Vec<&Ray> {
 
 /// Tests, and nodes or cells, per ray.
 fn count(built: &BuiltStructure, objects: &Objects, rays: &[&Ray]) -> [f64; 2] {
-    let counts = Counts::default();
+    let (groups, within) = (Counts::default(), Counts::default());
     for ray in rays {
-        built.nearest(objects, ray, Some(&counts));
+        built.nearest(objects, ray, [&groups, &within]);
     }
-    [counts.tests, counts.steps].map(|total| total.get() as f64 / rays.len() as f64)
+    let steps = groups.steps.get() + within.steps.get();
+    [within.tests.get(), steps].map(|total| total as f64 / rays.len() as f64)
 }

@@ -16,9 +16,7 @@ pub const PAGE: Page = Page {
     name: "acceleration",
     title: "Acceleration: time against number of objects",
     question: "Which structure finds the first hit fastest, for how many objects, in which scenes?",
-    steps: |settings| {
-        (STAGES.len() * sizes(settings.objects).len() * Structure::all().len()) as u64
-    },
+    steps: |it| (STAGES.len() * sizes(it.objects).len() * Structure::ALL.len()) as u64,
     measure: |settings, progress| {
         let stages = STAGES.iter().map(|stage| measuring::stage(stage, settings, progress));
         let stages = stages.collect::<Result<_, _>>()?;

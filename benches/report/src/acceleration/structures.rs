@@ -1,12 +1,13 @@
 //! The structures that are compared, built over the same objects.
 
 use std::cell::Cell;
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::stages::Objects;
-use groundtruth::accel::{self, Accel, Method};
+use groundtruth::accel::{Accel, Counter, Method};
 use groundtruth::math::{Aabb, Ray, Span};
-use groundtruth::shapes::{Candidate, Shape};
+use groundtruth::shapes::{Candidate, Shape, TriangleMesh};
 
 /// The acceleration structure of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,10 +20,12 @@ pub enum Structure {
 
 impl Structure {
     /// All structures.
-    pub fn all() -> Vec<Self> {
-        let [list, grid, bvh] = Method::ALL.map(Self::Plain);
-        vec![list, grid, Self::Nested(Method::Grid), bvh]
-    }
+    pub const ALL: [Self; 4] = [
+        Self::Plain(Method::List),
+        Self::Plain(Method::Grid),
+        Self::Nested(Method::Grid),
+        Self::Plain(Method::Bvh),
+    ];
 
     /// The name in the tables.
     pub fn name(self) -> String {
@@ -43,31 +46,25 @@ impl Structure {
         (nests && objects.groups.is_empty()).then_some("the scene has no groups to nest")
     }
 
-    /// Builds it over the objects.
-    pub fn build(self, objects: &Objects) -> BuiltStructure {
-        match self {
-            Self::Plain(method) => match &objects.mesh {
-                Some(mesh) => BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method))),
-                None => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
-            },
-            Self::Nested(method) => {
-                let boxes = |group: &std::ops::Range<usize>| &objects.bounds[group.clone()];
-                let whole = |all: &[Aabb]| all.iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
-                let bounds: Vec<Aabb> = objects.groups.iter().map(|g| whole(boxes(g))).collect();
+    /// Builds it over the objects; `mesh` has its own, which counts no tests.
+    pub fn build(self, objects: &Objects, mesh: Option<&TriangleMesh>) -> BuiltStructure {
+        let over = |group: &Range<usize>| &objects.bounds[group.clone()];
+        match (self, mesh) {
+            (Self::Plain(method), Some(mesh)) => {
+                BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method)))
+            }
+            (Self::Plain(method), None) => {
+                BuiltStructure::Plain(Accel::build(method, &objects.bounds))
+            }
+            (Self::Nested(method), _) => {
+                let whole = |group| over(group).iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
+                let bounds: Vec<Aabb> = objects.groups.iter().map(whole).collect();
+                let of_group = |group| Accel::build(method, over(group));
                 BuiltStructure::Nested {
                     outer: Accel::build(method, &bounds),
-                    inner: objects.groups.iter().map(|g| Accel::build(method, boxes(g))).collect(),
+                    inner: objects.groups.iter().map(of_group).collect(),
                 }
             }
-        }
-    }
-
-    /// The structure for counting tests: for a mesh, one over its triangles as shapes, with the
-    /// same boxes.
-    pub fn build_counted(self, objects: &Objects) -> BuiltStructure {
-        match self {
-            Self::Plain(method) => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
-            Self::Nested(_) => self.build(objects),
         }
     }
 }
@@ -87,7 +84,7 @@ pub enum BuiltStructure {
     Mesh(Box<dyn Shape>),
 }
 
-/// The cost of traversals.
+/// The cost of searches.
 #[derive(Debug, Default)]
 pub struct Counts {
     /// The number of objects tested.
@@ -96,21 +93,35 @@ pub struct Counts {
     pub steps: Cell<u64>,
 }
 
+impl Counter for &Counts {
+    fn test(&mut self) {
+        self.tests.update(|tests| tests + 1);
+    }
+
+    fn step(&mut self) {
+        self.steps.update(|steps| steps + 1);
+    }
+}
+
 impl BuiltStructure {
-    /// The distance of the first hit; adds the cost to `counts`.
-    pub fn nearest(&self, objects: &Objects, ray: &Ray, counts: Option<&Counts>) -> Option<f64> {
+    /// The distance of the first hit. The cost of a search among groups goes to the first counter,
+    /// that among objects to the second.
+    pub fn nearest<C: Counter + Copy>(
+        &self,
+        objects: &Objects,
+        ray: &Ray,
+        [mut groups, within]: [C; 2],
+    ) -> Option<f64> {
         let hit = match self {
             Self::Mesh(shape) => return shape.hit(ray, Span::AHEAD).map(|hit| hit.t),
-            Self::Plain(accel) => {
-                search(accel, ray, Span::AHEAD, counts, tested(&objects.shapes, ray, counts))
-            }
+            Self::Plain(accel) => first_of(&objects.shapes, accel, (ray, Span::AHEAD), within),
             Self::Nested { outer, inner } => {
-                let group = |index: u32, span| {
+                let of_group = |index: u32, span| {
                     let index = index as usize;
                     let shapes = &objects.shapes[objects.groups[index].clone()];
-                    search(&inner[index], ray, span, counts, tested(shapes, ray, counts))
+                    first_of(shapes, &inner[index], (ray, span), within)
                 };
-                search(outer, ray, Span::AHEAD, counts, group)
+                outer.nearest(ray, Span::AHEAD, &mut groups, of_group).map(|(_, hit)| hit)
             }
         };
         hit.map(|hit| hit.t)
@@ -118,48 +129,22 @@ impl BuiltStructure {
 
     /// The memory of the structure, without the objects; `None` for a mesh.
     pub fn memory_bytes(&self) -> Option<u64> {
-        match self {
-            Self::Mesh(_) => None,
-            Self::Plain(accel) => Some(memory_bytes(accel)),
-            Self::Nested { outer, inner } => {
-                let inside: u64 = inner.iter().map(memory_bytes).sum();
-                Some(memory_bytes(outer) + inside)
-            }
-        }
+        let (outer, inner) = match self {
+            Self::Mesh(_) => return None,
+            Self::Plain(accel) => (accel, &[][..]),
+            Self::Nested { outer, inner } => (outer, &inner[..]),
+        };
+        Some(inner.iter().chain([outer]).map(|accel| accel.memory_bytes() as u64).sum())
     }
 }
 
-fn memory_bytes(accel: &Accel) -> u64 {
-    accel.memory_bytes() as u64
-}
-
-/// One traversal of one structure. This counts nodes and cells; `hit` counts tests of objects.
-fn search(
+/// The first hit with one of these shapes.
+fn first_of(
+    shapes: &[Arc<dyn Shape>],
     accel: &Accel,
-    ray: &Ray,
-    span: Span,
-    counts: Option<&Counts>,
-    hit: impl Fn(u32, Span) -> Option<Candidate>,
+    (ray, span): (&Ray, Span),
+    mut counter: impl Counter,
 ) -> Option<Candidate> {
-    let Some(counts) = counts else {
-        return accel.nearest(ray, span, &mut (), hit).map(|(_, hit)| hit);
-    };
-    let mut here = accel::Counts::default();
-    let found = accel.nearest(ray, span, &mut here, hit);
-    counts.steps.set(counts.steps.get() + here.steps);
-    found.map(|(_, hit)| hit)
-}
-
-/// The hits of a ray with the objects, or with those of one group.
-fn tested<'a>(
-    shapes: &'a [Arc<dyn Shape>],
-    ray: &'a Ray,
-    counts: Option<&'a Counts>,
-) -> impl Fn(u32, Span) -> Option<Candidate> + 'a {
-    move |index, span| {
-        if let Some(counts) = counts {
-            counts.tests.set(counts.tests.get() + 1);
-        }
-        shapes[index as usize].hit(ray, span)
-    }
+    let hit = |index: u32, span| shapes[index as usize].hit(ray, span);
+    accel.nearest(ray, span, &mut counter, hit).map(|(_, hit)| hit)
 }

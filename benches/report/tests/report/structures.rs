@@ -12,8 +12,8 @@ fn tests_are_counted() {
     let objects = (STAGES[0].objects)(500, 7);
     let rays = STAGES[0].rays(16);
     let cost = |method| {
-        let (counts, built) = (Counts::default(), Structure::Plain(method).build(&objects));
-        let found = |ray: &&Ray| built.nearest(&objects, ray, Some(&counts)).is_some();
+        let (counts, built) = (Counts::default(), Structure::Plain(method).build(&objects, None));
+        let found = |ray: &&Ray| built.nearest(&objects, ray, [&counts; 2]).is_some();
         let hits = rays.iter().filter(found).count() as u64;
         (hits, counts.tests.get())
     };
