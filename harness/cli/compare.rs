@@ -74,7 +74,7 @@ impl Compare {
     pub fn run(mut self) -> Outcome {
         let inputs = [&self.a, &self.b].map(Path::new);
         output::once(inputs, "input")?;
-        output::check_distinct(self.output.as_deref(), inputs)?;
+        output::check_distinct(&self.output, inputs)?;
         let is_ours_last = is_scene(&self.b) && !is_scene(&self.a);
         if is_ours_last {
             // the first is what the other is held against
@@ -97,14 +97,9 @@ impl Compare {
                 Side::Picture(picture) => pictures.push(picture),
                 Side::Scene(opened) => {
                     let folder = film::folder_of(Path::new(name));
-                    let named: Vec<_> = scenefile::files(&opened.scene)
-                        .iter()
-                        .map(|file| folder.join(file))
-                        .collect();
-                    output::check_distinct(
-                        self.output.as_deref(),
-                        named.iter().map(|file| &**file),
-                    )?;
+                    let named = scenefile::files(&opened.scene);
+                    let named = named.iter().map(|file| folder.join(file));
+                    output::check_distinct(&self.output, named)?;
                     let (scene, world) = world_of(&opened, name, size)?;
                     announce::long_rendering(&world, &printable::text(name), 1);
                     films.push(render::render(&world));
@@ -154,13 +149,9 @@ impl Compare {
         let verdict = comparison.sentence();
         let details = comparison.details() + &self.advice(comparison, ours);
         let told = Told { verdict, details, next };
-        if let Some(file) = &self.output {
-            let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
-            let html = compare::page(comparison, &told, [&*self.a, &*self.b], both, &commands);
-            output::write(file, html.as_bytes())?;
-        }
-        let text = if self.json { told.json(comparison)? } else { told.text() };
-        output::say(&text, self.output.as_deref())
+        let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
+        let page = || compare::page(comparison, &told, [&*self.a, &*self.b], both, &commands);
+        output::tell(&told, comparison, self.json, (self.output.as_deref(), &page))
     }
 
     /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.

@@ -1,7 +1,5 @@
 //! `groundtruth describe`.
 
-use std::path::Path;
-
 use clap::Args;
 use exchange::describe;
 
@@ -17,13 +15,11 @@ pub struct Describe {
 impl Describe {
     pub fn run(&self) -> Outcome {
         if self.scene.has_seed() {
-            return Err(
-                "the seed changes only the noise of a picture, not the scene; leave out --seed"
-                    .into(),
-            );
+            let problem = "the seed changes only the noise of a picture, not the scene";
+            return Err(format!("{problem}; leave out --seed").into());
         }
         let (scene, world) = self.scene.load()?;
-        let folder = self.scene.folder().unwrap_or(Path::new(""));
+        let folder = self.scene.files_folder();
         print(&describe::describe(self.scene.name(), &scene, &world, folder)?)
     }
 }

@@ -89,8 +89,7 @@ impl Explain {
             self.output.as_deref().map(|path| kept::Format::of(path, self.test)).transpose()?;
         let (scene, world) = self.scene.load()?;
         if let Some(output) = &self.output {
-            let inputs = self.scene.files_of(&scene);
-            output::check_distinct([output.as_path()], inputs.iter().map(PathBuf::as_path))?;
+            output::check_distinct([output], self.scene.files_of(&scene))?;
             output::writable(output)?;
         }
         if self.test {

@@ -64,8 +64,8 @@ impl Export {
         let inputs = self.scene.files_of(&scene);
         self.without.iter().for_each(|term| term.remove(&mut scene));
         if let Some(target) = self.format.target() {
-            let folder = self.scene.folder().unwrap_or(Path::new(""));
-            let said = witness::said(target, (self.scene.name(), &self.stem()), &scene, folder);
+            let (name, folder) = (self.scene.name(), self.scene.files_folder());
+            let said = witness::said(target, (name, &self.stem()), &scene, folder);
             return said.map_or(Ok(Exit::Unanswered), |said| self.write_all(&said, &inputs));
         }
         if let Some(folder) = self.scene.folder() {
@@ -73,7 +73,7 @@ impl Export {
             scene = scenefile::files_from(&scene, &folder)?;
         }
         let text = scenefile::to_toml(&scene)?;
-        output::check_distinct(self.file(), inputs.iter().map(PathBuf::as_path))?;
+        output::check_distinct(self.file(), &inputs)?;
         self.write(&text)
     }
 
@@ -94,7 +94,7 @@ impl Export {
         let files: Vec<(PathBuf, &[u8])> = files.collect();
         // all or none
         let outputs = || files.iter().map(|(output, _)| &**output).chain(self.file());
-        output::check_distinct(outputs(), inputs.iter().map(PathBuf::as_path))?;
+        output::check_distinct(outputs(), inputs)?;
         outputs().try_for_each(|output| self.check(output))?;
         files.iter().try_for_each(|(output, bytes)| self.write_to(output, bytes))?;
         self.write(&said.text)
@@ -108,21 +108,21 @@ impl Export {
     }
 
     /// Whether it may be written.
-    fn check(&self, output: &Path) -> Result<(), Box<dyn Error>> {
-        if output.is_dir() {
-            return Err(unwritable(output, "it is a folder"));
+    fn check(&self, path: &Path) -> Result<(), Box<dyn Error>> {
+        if path.is_dir() {
+            return Err(output::unwritable(path, "it is a folder"));
         }
-        if output.exists() && !self.replace {
+        if path.exists() && !self.replace {
             // it may have been edited since it was exported
             let problem = "exists already; write to another file, or replace it with --replace";
-            return Err(format!("{}: {problem}", output.display()).into());
+            return Err(format!("{}: {problem}", path.display()).into());
         }
         Ok(())
     }
 
-    fn write_to(&self, output: &Path, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
-        self.check(output)?;
-        film::replace(output, bytes).map_err(|e| unwritable(output, e))
+    fn write_to(&self, path: &Path, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
+        self.check(path)?;
+        output::write(path, bytes)
     }
 
     /// The file to write, if it is not the standard output.
@@ -137,8 +137,4 @@ impl Export {
             None => Ok(folder.canonicalize()?),
         }
     }
-}
-
-fn unwritable(path: &Path, reason: impl std::fmt::Display) -> Box<dyn Error> {
-    format!("{}: cannot be written: {reason}", path.display()).into()
 }

@@ -8,7 +8,6 @@ use clap::{Args, Subcommand};
 use golden::compare;
 use golden::review;
 use golden::{self, GoldenFinding, GoldenSettings, GoldenStatus, Goldens as Folder, Proposal};
-use groundtruth::printable;
 use groundtruth::similar;
 use text::brief::count;
 
@@ -209,8 +208,7 @@ impl Review {
         }
         let mut told = review::told(&findings, folder);
         output::write(&self.output, review::page(&findings, &told).as_bytes())?;
-        let page = printable::name(&self.output.display().to_string());
-        told.details += &format!("{page}: shows {}\n", findings.len());
+        told.details += &format!("{}: shows {}\n", output::name(&self.output), findings.len());
         output::say(&told.text(), Some(&self.output))
     }
 }

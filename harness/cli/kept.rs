@@ -129,8 +129,7 @@ pub fn test(
     output: Option<&Path>,
 ) -> Outcome {
     let kept = Kept { pixel, sample, seed: arguments.seed() };
-    let folder = arguments.folder().unwrap_or(Path::new(""));
-    let reduced = ReducedScene::of(scene, folder, kept)?;
+    let reduced = ReducedScene::of(scene, arguments.files_folder(), kept)?;
     let Some(path) = output else { return print(&rust(arguments, &reduced)) };
     if Format::of(path, true)? == Format::Rust {
         output::write(path, rust(arguments, &reduced).as_bytes())?;

@@ -41,10 +41,7 @@ impl Laws {
         };
         let lobes = match listed {
             Ok(lobes) => self.chosen(lobes)?,
-            Err(Stop::NotAsked) => {
-                eprintln!("interrupted; nothing was written");
-                return Ok(Exit::Interrupted);
-            }
+            Err(Stop::NotAsked) => return progress::nothing_written(),
             Err(stop) => return unanswered(stop.text(), &program.log()),
         };
         let options = ClaimsOptions { cases: self.cases, seed: self.card.seed() };

@@ -35,9 +35,9 @@ fn linear_format(name: &str) -> Result<Format, String> {
 
 impl Merge {
     pub fn run(&self) -> Outcome {
-        let files = || self.standard_error.iter().chain([&self.output]).map(PathBuf::as_path);
+        let files = || self.standard_error.iter().chain([&self.output]);
         output::once(files(), "output")?;
-        output::check_distinct(files(), self.files.iter().map(PathBuf::as_path))?;
+        output::check_distinct(files(), &self.files)?;
         for file in files() {
             if !is_sums(file) {
                 self.format_of(file)?;

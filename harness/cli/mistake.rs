@@ -6,7 +6,6 @@ use std::path::Path;
 
 use clap::Args;
 use groundtruth::film;
-use groundtruth::printable;
 use groundtruth::scene::Scene;
 use groundtruth::similar;
 use groundtruth::world::{DEFAULT_SEED, World};
@@ -41,16 +40,17 @@ impl MistakeArgument {
         scene: &Scene,
     ) -> Result<Option<Mistaken>, Box<dyn Error>> {
         let Some(mistake) = self.mistake else { return Ok(None) };
-        let folder = arguments.folder().unwrap_or(Path::new(""));
+        let folder = arguments.files_folder();
         let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
-        let refused = || {
-            let KnownMistake { name, words, .. } = mistake.known();
-            format!(
+        let KnownMistake { name, words, .. } = mistake.known();
+        if mistaken.is_none() {
+            return Err(format!(
                 "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
                  that show it"
             )
-        };
-        Ok(Some(mistaken.ok_or_else(refused)?))
+            .into());
+        }
+        Ok(mistaken)
     }
 }
 
@@ -60,9 +60,8 @@ pub fn note_if_not_shown(
     arguments: &SceneArguments,
     scene: &Scene,
 ) -> Result<(), Box<dyn Error>> {
-    let folder = arguments.folder().unwrap_or(Path::new(""));
     let KnownMistake { name, .. } = mistaken.mistake().known();
-    if table::shown(&[mistaken.mistake()], scene, folder)?.is_empty() {
+    if table::shown(&[mistaken.mistake()], scene, arguments.files_folder())?.is_empty() {
         eprintln!(
             "note: this scene does not show {name}: it changes hardly a pixel; `groundtruth mistakes {name}` lists \
              scenes that do"
@@ -124,11 +123,11 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
         let world = World::build(&scene)?;
         let mut made =
             pictures::provenance((Some(entry), &scene), (&scene, &world), Path::new(""))?;
-        made.part = Some("the right picture, and beside it the wrong one".to_owned());
+        let part = "the right picture, and beside it the wrong one";
+        made.part = Some(part.to_owned());
         made.mistake = Some((*name).to_owned());
         output::write(file, &film::encode(&joined, &tone, format, &made)?)?;
-        let file = printable::name(&file.display().to_string());
-        let _ = writeln!(text, "\n{file}: the right picture, and beside it the wrong one");
+        let _ = writeln!(text, "\n{}: {part}", output::name(file));
     }
     output::say(&text, file)
 }

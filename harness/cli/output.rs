@@ -1,12 +1,15 @@
 //! Where a command writes a file: to a path, or to the standard output if the path is `-`.
 
 use std::error::Error;
+use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use groundtruth::film::{self, Format};
 use groundtruth::printable;
 use scenefile::STANDARD_INPUT;
+use serde::Serialize;
+use text::told::Told;
 
 /// Whether a path means the standard output.
 pub fn is_standard(path: &Path) -> bool {
@@ -34,52 +37,51 @@ pub fn writable(path: &Path) -> Result<(), Box<dyn Error>> {
     }
 }
 
-fn unwritable(path: &Path, error: std::io::Error) -> Box<dyn Error> {
-    format!("{}: cannot be written: {error}", path.display()).into()
+/// The error of a file that cannot be written, and why.
+pub fn unwritable(path: &Path, reason: impl Display) -> Box<dyn Error> {
+    format!("{}: cannot be written: {reason}", path.display()).into()
+}
+
+/// A path in a message.
+pub fn name(path: &Path) -> String {
+    printable::name(&path.display().to_string())
 }
 
 /// Fails if the standard input or output is named more than once.
-pub fn once<'a>(
-    paths: impl IntoIterator<Item = &'a Path>,
-    stream: &str,
-) -> Result<(), Box<dyn Error>> {
-    match paths.into_iter().filter(|path| is_standard(path)).count() {
+pub fn once(paths: impl IntoIterator<Item = impl AsRef<Path>>, stream: &str) -> Result<(), String> {
+    match paths.into_iter().filter(|path| is_standard(path.as_ref())).count() {
         0 | 1 => Ok(()),
-        _ => {
-            Err(format!("-: the standard {stream} is one file; name another in place of one -")
-                .into())
-        }
+        _ => Err(format!("-: the standard {stream} is one file; name another in place of one -")),
     }
 }
 
 /// Fails if two outputs are one file, or an output is one of the files that are read.
-pub fn check_distinct<'a>(
-    outputs: impl IntoIterator<Item = &'a Path>,
-    inputs: impl IntoIterator<Item = &'a Path>,
-) -> Result<(), Box<dyn Error>> {
-    let whole = |path: &Path| whole(path).unwrap_or_else(|| path.to_owned());
-    let inputs: Vec<PathBuf> =
-        inputs.into_iter().filter(|it| !is_standard(it)).map(whole).collect();
+pub fn check_distinct(
+    outputs: impl IntoIterator<Item = impl AsRef<Path>>,
+    inputs: impl IntoIterator<Item = impl AsRef<Path>>,
+) -> Result<(), String> {
+    let inputs: Vec<PathBuf> = inputs.into_iter().filter_map(|it| whole(it.as_ref())).collect();
     let mut before: Vec<PathBuf> = Vec::new();
-    for output in outputs.into_iter().filter(|output| !is_standard(output)) {
-        let (file, name) = (whole(output), printable::name(&output.display().to_string()));
-        if inputs.contains(&file) {
-            let problem = "is read by this command, and would be lost; write to another file";
-            return Err(format!("{name}: {problem}").into());
-        }
-        if before.contains(&file) {
-            let problem = "is named for two outputs, of which one would be lost; name two files";
-            return Err(format!("{name}: {problem}").into());
-        }
-        before.push(file);
+    for output in outputs {
+        let Some(file) = whole(output.as_ref()) else { continue };
+        let problem = if inputs.contains(&file) {
+            "is read by this command, and would be lost; write to another file"
+        } else if before.contains(&file) {
+            "is named for two outputs, of which one would be lost; name two files"
+        } else {
+            before.push(file);
+            continue;
+        };
+        return Err(format!("{}: {problem}", name(output.as_ref())));
     }
     Ok(())
 }
 
-/// The path of a file without links, `.` and `..`; the file need not exist, its folder must.
+/// The path of a file without links, `.` and `..`, as far as its folder exists; `None` for the standard input and output.
 fn whole(path: &Path) -> Option<PathBuf> {
     let made = || Some(film::folder_of(path).canonicalize().ok()?.join(path.file_name()?));
-    path.canonicalize().ok().or_else(made)
+    let whole = || path.canonicalize().ok().or_else(made).unwrap_or_else(|| path.to_owned());
+    (!is_standard(path)).then(whole)
 }
 
 /// The folder of a scene as it is named from the folder of an output; absolute where no relative path leads there.
@@ -102,13 +104,26 @@ pub fn say(text: &str, page: Option<&Path>) -> super::Outcome {
     }
 }
 
+/// Writes the page of a verdict, if there is one to write, and prints the verdict.
+pub fn tell(
+    told: &Told,
+    data: &impl Serialize,
+    is_json: bool,
+    (file, page): (Option<&Path>, &dyn Fn() -> String),
+) -> super::Outcome {
+    if let Some(file) = file {
+        write(file, page().as_bytes())?;
+    }
+    say(&if is_json { told.json(data)? } else { told.text() }, file)
+}
+
 /// The format of a picture: the one given, or that of the file's name.
 pub fn format(path: &Path, given: Option<Format>) -> Result<Format, Box<dyn Error>> {
     match given {
         Some(format) => Ok(format),
         None if is_standard(path) => Err(format!(
             "-o -: say which format is written to the standard output: --format {}",
-            names().join(", ")
+            names()
         )
         .into()),
         None => Ok(Format::of(path)?),
@@ -116,12 +131,12 @@ pub fn format(path: &Path, given: Option<Format>) -> Result<Format, Box<dyn Erro
 }
 
 /// The formats' names.
-fn names() -> Vec<&'static str> {
-    Format::ALL.map(|(_, name)| name).to_vec()
+fn names() -> String {
+    Format::ALL.map(|(_, name)| name).join(", ")
 }
 
 /// Parses the name of a format.
 pub fn format_named(name: &str) -> Result<Format, String> {
     let found = Format::ALL.into_iter().find(|(_, known)| *known == name);
-    found.map(|(format, _)| format).ok_or_else(|| format!("write one of {}", names().join(", ")))
+    found.map(|(format, _)| format).ok_or_else(|| format!("write one of {}", names()))
 }

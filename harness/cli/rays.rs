@@ -14,7 +14,7 @@ use judge::mistakes::Mistaken;
 use rays::{LawReport, LogError, RayLaw, RayVerdict, Traced, WRITERS};
 use serde_json::Value;
 
-use super::{Exit, Outcome, print};
+use super::{Exit, Outcome, output, print};
 
 #[derive(Args)]
 pub struct Rays {
@@ -49,16 +49,15 @@ impl Rays {
         if self.laws {
             return print(&rays::laws_text());
         }
-        if let Some(output) =
-            self.output.as_ref().filter(|it| it.extension().is_none_or(|end| end != "html"))
-        {
-            return Err(format!("{}: a page ends with .html", output.display()).into());
+        let is_no_page = |it: &&PathBuf| it.extension().is_none_or(|end| end != "html");
+        if let Some(file) = self.output.as_ref().filter(is_no_page) {
+            return Err(format!("{}: a page ends with .html", file.display()).into());
         }
         if self.output.is_some() && self.logs.len() > 1 {
             return Err("--output: a page has one log".into());
         }
-        super::output::once(self.logs.iter().map(PathBuf::as_path), "input")?;
-        super::output::once(self.output.iter().chain(&self.junit).map(PathBuf::as_path), "output")?;
+        output::once(&self.logs, "input")?;
+        output::once(self.output.iter().chain(&self.junit), "output")?;
         let (mut exit, mut suites, mut told) = (Exit::Yes, Vec::new(), Vec::new());
         for path in &self.logs {
             let verdict = judged(path)?;
@@ -70,12 +69,11 @@ impl Rays {
             } else {
                 print(&self.text(path, &verdict))?;
             }
-            suites.extend(
-                self.junit.is_some().then(|| (path.display().to_string(), cases(&verdict))),
-            );
-            if let Some(output) = &self.output {
+            let suite = || (path.display().to_string(), cases(&verdict));
+            suites.extend(self.junit.is_some().then(suite));
+            if let Some(file) = &self.output {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
-                super::output::write(output, verdict.page(&name).as_bytes())?;
+                output::write(file, verdict.page(&name).as_bytes())?;
             }
         }
         if self.json {
@@ -84,7 +82,7 @@ impl Rays {
             print(&(serde_json::to_string_pretty(&all)? + "\n"))?;
         }
         if let Some(file) = &self.junit {
-            super::output::write(file, ask::junit("rays", suites).as_bytes())?;
+            output::write(file, ask::junit("rays", suites).as_bytes())?;
         }
         Ok(exit)
     }
@@ -121,7 +119,7 @@ fn cases(verdict: &RayVerdict) -> Vec<JunitCase> {
 
 fn judged(path: &Path) -> Result<RayVerdict, Box<dyn Error>> {
     let named = |problem: String| format!("{}: {problem}", path.display());
-    let log = match super::output::is_standard(path) {
+    let log = match output::is_standard(path) {
         true => rays::read(std::io::stdin().lock()),
         false => File::open(path).map_err(LogError::from).and_then(rays::read),
     };

@@ -106,9 +106,8 @@ impl Render {
         let crop = self.crop.map_or(Ok(whole), |crop| crop.inside(world))?;
         let content = self.layer.content(world, crop, (&self.output, files.format))?;
         let canvas = Arc::new(Canvas::cropped(crop));
-        explain::notes(scene, world)
-            .iter()
-            .for_each(|note| eprintln!("note: {}", printable::text(note)));
+        let notes = explain::notes(scene, world);
+        notes.iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
         if content.needs_rays() {
             let rays = RaysPerSample::measured(world, MAX_COUNTED);
             let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
@@ -128,8 +127,8 @@ impl Render {
         let rendered = start.elapsed() - loaded;
         let film = canvas.film();
         files.write(self, (scene, world), &content, &film)?;
-        let paths = files.paths.iter().map(|file| printable::name(&file.display().to_string()));
-        let paths = paths.collect::<Vec<String>>().join(", ");
+        let paths: Vec<String> = files.paths.iter().map(|file| output::name(file)).collect();
+        let paths = paths.join(", ");
         let (loaded, rendered) = (loaded.as_secs_f64(), rendered.as_secs_f64());
         eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
         let legend = content.legend(&film, files.format, (scene, world));
@@ -151,11 +150,7 @@ impl Render {
             _ => vec![self.output.clone()],
         };
         let format = output::format(&self.output, self.format)?;
-        let inputs = self.scene.files_of(scene);
-        output::check_distinct(
-            paths.iter().map(PathBuf::as_path),
-            inputs.iter().map(PathBuf::as_path),
-        )?;
+        output::check_distinct(&paths, self.scene.files_of(scene))?;
         paths.iter().try_for_each(|file| output::writable(file))?;
         Ok(Files { pair, paths, format })
     }

@@ -16,28 +16,27 @@ use pictures::sums::{self, Header, Seeds, Sums};
 
 use super::part::PartOf;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, interrupt, progress};
+use super::{Exit, Outcome, interrupt, output, progress};
 
 /// A part that is under way is written this often, for machines that lose their power.
 const SAVED_EVERY: Duration = Duration::from_secs(60);
 
 /// Renders the missing replicas of a part and writes its sums.
-pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &Path) -> Outcome {
+pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, file: &Path) -> Outcome {
     let asked = part.seeds(arguments.seed(), replicas)?;
     let wanted = PartOf::default().seeds(arguments.seed(), replicas)?;
-    film::replaceable(output)
-        .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
+    output::writable(file)?;
     let (scene, mut world) = arguments.load()?;
     let header = header(arguments, &scene, &world)?;
-    let begun = || begun(output, &header, &asked);
+    let begun = || begun(file, &header, &asked);
     let mut sums =
         begun()?.unwrap_or_else(|| Sums::new(header.clone())).asked(wanted, arguments.arguments());
     let save = |sums: &Sums| -> Result<(), Box<dyn Error>> {
         // another process may write another part to this file, even now; where folders have no locks it may be lost
-        let folder = File::open(film::folder_of(output));
+        let folder = File::open(film::folder_of(file));
         let _lock = folder.and_then(|folder| folder.lock().map(|()| folder));
         begun()?;
-        Ok(sums.write(output)?)
+        Ok(sums.write(file)?)
     };
     let missing = asked.without(&sums.header().seeds);
     let style = "{bar:40} {pos} of {len} replicas  {elapsed} elapsed, {eta} to go{msg}";
@@ -63,7 +62,7 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
         }
     }
     bar.finish_and_clear();
-    let (done, all, file) = (sums.header().seeds.count(), asked.count(), output.display());
+    let (done, all, file) = (sums.header().seeds.count(), asked.count(), file.display());
     if done > 0 {
         save(&sums)?;
     }
@@ -96,10 +95,9 @@ pub fn header(
     scene: &Scene,
     world: &World,
 ) -> Result<Header, Box<dyn Error>> {
-    let folder = arguments.folder().unwrap_or(Path::new(""));
     Ok(Header {
         program: env!("CARGO_PKG_VERSION").to_owned(),
-        scene: sums::scene_digest(scene, world, folder)?,
+        scene: sums::scene_digest(scene, world, arguments.files_folder())?,
         made: arguments.provenance(scene, world)?.into(),
         size: world.picture_size(),
         samples: world.samples_per_pixel(),

@@ -120,6 +120,11 @@ impl SceneArguments {
         }
     }
 
+    /// The folder in which the files of the scene are looked for.
+    pub fn files_folder(&self) -> &Path {
+        self.folder().unwrap_or(Path::new(""))
+    }
+
     /// The files that a scene of these arguments is read from: its own and those that it names.
     pub fn files_of(&self, scene: &Scene) -> Vec<PathBuf> {
         let Some(folder) = self.folder() else { return Vec::new() };
@@ -129,9 +134,12 @@ impl SceneArguments {
 
     /// How a picture of this scene, as [`Self::load`] gave it, is made.
     pub fn provenance(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
-        let folder = self.folder().unwrap_or(Path::new(""));
         // what the arguments change (size, samples, tracer) does not decide the name: this is the scene as it was read
-        pictures::provenance((gallery::find(&self.scene), scene), (scene, world), folder)
+        pictures::provenance(
+            (gallery::find(&self.scene), scene),
+            (scene, world),
+            self.files_folder(),
+        )
     }
 
     /// Changes a scene as the arguments say, but for its size.

@@ -4,45 +4,26 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-use groundtruth::printable;
 use judge::sets::{self, SetsDecision, SetsVerdict};
 use judge::verdict::{self, Answer};
 use pictures::compare::{Picture, Transfer};
 use text::shell;
 use text::told::Told;
 
+use super::verify::Verify;
 use super::{Exit, Outcome, interrupt, output, progress};
 
-/// What is asked of two sets.
-pub struct Request<'a> {
-    /// The pictures before.
-    pub before: &'a [PathBuf],
-    /// The pictures after.
-    pub after: &'a [PathBuf],
-    /// A picture with a colour for each region.
-    pub regions: Option<&'a Path>,
-    /// How values encode radiance.
-    pub encoding: Option<Transfer>,
-    /// The probability of a false alarm.
-    pub level: f64,
-    /// The margin of the means.
-    pub margin: Option<f64>,
-    /// The page.
-    pub output: Option<&'a Path>,
-    /// Whether JSON is printed.
-    pub json: bool,
-}
-
-impl Request<'_> {
-    pub fn run(&self) -> Outcome {
-        let inputs = || self.before.iter().chain(self.after).map(PathBuf::as_path);
-        output::once(inputs().chain(self.regions), "input")?;
-        output::check_distinct(self.output, inputs().chain(self.regions))?;
-        self.output.map_or(Ok(()), output::writable)?;
+impl Verify {
+    /// Judges the pictures before and after.
+    pub(super) fn sets(&self) -> Outcome {
+        let inputs = || self.before.iter().chain(&self.after);
+        output::once(inputs().chain(&self.regions), "input")?;
+        output::check_distinct(&self.output, inputs().chain(&self.regions))?;
+        self.output.as_deref().map_or(Ok(()), output::writable)?;
         let interrupted = interrupt::flag()?;
         let bar = progress::bar(inputs().count() as u64, "{bar:30} {pos} of {len} pictures read");
-        let [before, after] = [self.before, self.after].map(|files| {
-            self.read(files, self.before[0].as_path(), &|| {
+        let [before, after] = [&self.before, &self.after].map(|files| {
+            self.read(files, &|| {
                 bar.inc(1);
                 interrupted.load(Ordering::Relaxed)
             })
@@ -51,18 +32,18 @@ impl Request<'_> {
         let (Some(before), Some(after)) = (before?, after?) else {
             return progress::nothing_written();
         };
-        check_size((&before[0], &self.before[0]), (&after, self.after))?;
+        check_size((&before[0], &self.before[0]), (&after, &self.after))?;
         let are_fixed = is_fixed(&before) && is_fixed(&after);
         if !are_fixed {
             let why = "the pictures of a set have other seeds";
-            check_seeds(&before, self.before, why)?;
-            check_seeds(&after, self.after, why)?;
+            check_seeds(&before, &self.before, why)?;
+            check_seeds(&after, &self.after, why)?;
         }
-        let regions = self.regions.map(|file| Picture::read(file, Some(Transfer::Linear)));
-        let regions = regions.transpose()?;
+        let linear = |file: &PathBuf| Picture::read(file, Some(Transfer::Linear));
+        let regions = self.regions.as_ref().map(linear).transpose()?;
         let sets = sets::Sets::new([before, after], regions.as_ref()).map_err(|problem| {
-            let file = self.regions.map_or(String::new(), |file| file.display().to_string());
-            format!("{}: {problem}", printable::name(&file))
+            let file = self.regions.as_deref().map_or(String::new(), output::name);
+            format!("{file}: {problem}")
         })?;
         let bar = progress::bar(0, "{spinner} {human_pos} divisions tried, {elapsed} elapsed");
         let watch = sets::Watch { tried: &|| bar.inc(1), interrupted: &interrupted };
@@ -72,13 +53,10 @@ impl Request<'_> {
         if let Some(margin) = self.margin {
             verdict.hold_to(margin);
         }
-        let (details, next) = (verdict.details(), self.next(&verdict));
+        let (details, next) = (verdict.details(), self.next_of_sets(&verdict));
         let told = Told { verdict: verdict.sentence(), details, next };
-        if let Some(file) = self.output {
-            output::write(file, sets::page(&verdict, &told).as_bytes())?;
-        }
-        let text = if self.json { told.json(&verdict)? } else { told.text() };
-        output::say(&text, self.output)?;
+        let page = || sets::page(&verdict, &told);
+        output::tell(&told, &verdict, self.json, (self.output.as_deref(), &page))?;
         Ok(exit(&verdict))
     }
 
@@ -86,15 +64,14 @@ impl Request<'_> {
     fn read(
         &self,
         files: &[PathBuf],
-        first: &Path,
         is_last: &dyn Fn() -> bool,
     ) -> Result<Option<Vec<Picture>>, Box<dyn Error>> {
         let mut pictures = Vec::new();
         for file in files {
             let picture = Picture::read(file, self.encoding)?;
-            let name = printable::name(&file.display().to_string());
+            let name = output::name(file);
             // of many files, only the first is spoken of
-            if file == first {
+            if *file == self.before[0] {
                 picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
             }
             if let Some(problem) = verdict::refusal_of_alpha(&picture) {
@@ -110,7 +87,7 @@ impl Request<'_> {
     }
 
     /// The next step: where one picture before differs from one after; of sets that agree, how close their means are.
-    fn next(&self, verdict: &SetsVerdict) -> String {
+    fn next_of_sets(&self, verdict: &SetsVerdict) -> String {
         let all = |files: &[PathBuf]| {
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             shell::line(names.iter().map(String::as_str))
@@ -119,8 +96,8 @@ impl Request<'_> {
         match (verdict.decision, self.margin) {
             (SetsDecision::Agree, None) => format!(
                 "groundtruth verify --before {} --after {}{curve} --margin 1%",
-                all(self.before),
-                all(self.after)
+                all(&self.before),
+                all(&self.after)
             ),
             _ => {
                 let [before, after] = [&self.before[..1], &self.after[..1]].map(all);
@@ -139,8 +116,7 @@ fn is_fixed(pictures: &[Picture]) -> bool {
 pub fn check_seeds(pictures: &[Picture], files: &[PathBuf], why: &str) -> Result<(), String> {
     for (later, picture) in pictures.iter().enumerate() {
         if let Some(equal) = pictures[..later].iter().position(|it| it.values == picture.values) {
-            let [file, other] =
-                [later, equal].map(|at| printable::name(&files[at].display().to_string()));
+            let [file, other] = [later, equal].map(|at| output::name(&files[at]));
             return Err(format!(
                 "{file} has the same values as {other}; {why}: leave one out, or render it with another seed"
             ));
@@ -159,7 +135,7 @@ pub fn check_size(
         return Ok(());
     };
     let [[w, h], [width, height]] = [first.size, other.size];
-    let [file, name] = [file, name].map(|file| printable::name(&file.display().to_string()));
+    let [file, name] = [file, name].map(output::name);
     Err(format!(
         "{file} has {width} × {height} pixels, {name} has {w} × {h}; all pictures must have one size"
     ))

@@ -63,7 +63,7 @@ pub struct Verify {
     replicas: u32,
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
     #[arg(long, value_name = "P", default_value_t = Strictness::USUAL.level, value_parser = number(1e-4..=0.2, "write a number from 0.0001 to 0.2, such as 0.01"))]
-    level: f64,
+    pub(super) level: f64,
     /// Hold all pictures against the mean of these sums of the scene, which `render --replicas` or `merge` wrote: it
     /// shows smaller differences of a picture with little noise. Ours have other seeds
     #[arg(long, value_name = "FILE")]
@@ -74,30 +74,30 @@ pub struct Verify {
     /// Say also whether the means of the picture and of each object are within this margin, such as 1%; the exit status is
     /// then 0 if they are, 1 if one is beyond it, and 2 if the noise is too large to tell
     #[arg(long, value_name = "M", value_parser = margin)]
-    margin: Option<f64>,
+    pub(super) margin: Option<f64>,
     /// Few scenes of the gallery that together show all known mistakes of a chapter, such as ch28
     #[arg(long, value_name = "CHAPTER", exclusive = true)]
     scenes: Option<String>,
     /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, what a PNG file says of
     /// itself (gAMA, sRGB), else the likeliest is taken, and named
     #[arg(long, value_name = "CURVE")]
-    encoding: Option<Transfer>,
+    pub(super) encoding: Option<Transfer>,
     /// Pictures of any scene by any renderer before a change, each with another seed; instead of a scene
     #[arg(long, value_name = "IMAGE", num_args = 1.., requires = "after",
         conflicts_with_all = ["scene", "images", "by", "their_samples", "their_sampler", "replicas", "reference"])]
-    before: Vec<PathBuf>,
+    pub(super) before: Vec<PathBuf>,
     /// Pictures of the same scene after it, each with another seed
     #[arg(long, value_name = "IMAGE", num_args = 1.., requires = "before")]
-    after: Vec<PathBuf>,
+    pub(super) after: Vec<PathBuf>,
     /// A picture with one colour for each region (object, material) of pictures before and after, to compare their means
     #[arg(long, value_name = "IMAGE", requires = "before")]
-    regions: Option<PathBuf>,
+    pub(super) regions: Option<PathBuf>,
     /// Write a page with the verdict, both pictures, their difference and the map of z
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 fn margin(text: &str) -> Result<f64, String> {
@@ -117,13 +117,12 @@ impl Verify {
             return mistakes::of_chapter_named(chapter);
         }
         if !self.before.is_empty() {
-            return self.sets().run();
+            return self.sets();
         }
         let arguments = self.scene.as_ref().expect("only --scenes and --before go without a scene");
         let Some(witnessed) = self.witnessed(arguments)? else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
-        let named = arguments.files_of(&scene);
-        output::check_distinct(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
+        output::check_distinct(&self.output, &arguments.files_of(&scene))?;
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
         let asked = arguments.seed();
@@ -133,7 +132,6 @@ impl Verify {
         }
         announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
         let watch = Watch::new(strictness.most(), self.search)?;
-        let folder = arguments.folder().unwrap_or(Path::new(""));
         let case = Case {
             is_over: &|| watch.is_over(),
             so_far: &|progress| watch.tell(progress),
@@ -141,7 +139,7 @@ impl Verify {
             transfer: pictures[0].stated,
             reference: reference.as_ref(),
             tolerance: self.by.map_or(verdict::RayTolerance::DOUBLE, By::edge),
-            ..Case::new(&scene, folder, seed)
+            ..Case::new(&scene, arguments.files_folder(), seed)
         };
         let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
         let verdict = case.verdict(&mut world, &pictures, renders);
@@ -156,37 +154,11 @@ impl Verify {
         let explained_with = explained_with_size(arguments, &scene) + &explained_with;
         let (more, next) = advice(arguments.name(), &verdict, &explained_with);
         let details = verdict.details() + &more + &witness;
-        self.tell(
-            &verdict,
-            &Told { verdict: verdict.sentence(), details, next },
-            arguments.name(),
-        )?;
+        let told = Told { verdict: verdict.sentence(), details, next };
+        let about = format!("verify {} and {}", self.name(), arguments.name());
+        let page = || verdict::page(&verdict, &about, &told);
+        output::tell(&told, &verdict, self.json, (self.output.as_deref(), &page))?;
         Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
-    }
-
-    /// The pictures before and after.
-    fn sets(&self) -> sets::Request<'_> {
-        sets::Request {
-            before: &self.before,
-            after: &self.after,
-            regions: self.regions.as_deref(),
-            encoding: self.encoding,
-            level: self.level,
-            margin: self.margin,
-            output: self.output.as_deref(),
-            json: self.json,
-        }
-    }
-
-    /// Writes the page and prints the verdict.
-    fn tell(&self, verdict: &Verdict, told: &Told, scene: &str) -> Result<(), Box<dyn Error>> {
-        if let Some(file) = &self.output {
-            let about = format!("verify {} and {scene}", self.name());
-            output::write(file, verdict::page(verdict, &about, told).as_bytes())?;
-        }
-        let text = if self.json { told.json(verdict)? } else { told.text() };
-        output::say(&text, self.output.as_deref())?;
-        Ok(())
     }
 
     /// The pictures to be judged, rendered by another program or read; `None` if the scene cannot be exported.
@@ -262,13 +234,12 @@ impl Verify {
         let inputs = || self.images.iter().map(PathBuf::as_path).chain(scene);
         output::once(inputs(), "input")?;
         self.check_order()?;
-        output::check_distinct(self.output.as_deref(), inputs().chain(self.reference.as_deref()))?;
+        output::check_distinct(&self.output, inputs().chain(self.reference.as_deref()))?;
         let mut pictures: Vec<Picture> = Vec::new();
         for file in &self.images {
             let picture = Picture::read(file, self.encoding)?;
-            let name = printable::name(&file.display().to_string());
             if let Some(problem) = verdict::refusal(&picture) {
-                return Err(format!("{name}: {problem}").into());
+                return Err(format!("{}: {problem}", output::name(file)).into());
             }
             pictures.push(picture);
         }

@@ -80,7 +80,7 @@ impl WitnessRequest<'_> {
         }
         let samples = if is_noiseless { 1 } else { self.samples.unwrap_or(SAMPLES) };
         let mut scene = sampled(scene, samples);
-        let folder = arguments.folder().unwrap_or(Path::new(""));
+        let folder = arguments.files_folder();
         let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed());
         let target = self.by.target();
         let said = |scene: &Scene| said(target, (arguments.name(), "scene"), scene, folder);

@@ -13,15 +13,15 @@ const STYLE: &str = include_str!("style.css");
 /// The whole page.
 pub(super) fn html(report: &Report) -> String {
     let pages = || report.chapters.iter();
-    let link = |(Page { name, title, question, .. }, _): &(Page, Findings)| {
-        let link = element("a").attribute("href", format!("#{name}")).with(*title);
-        several().with(link).with(format!(": {question}"))
+    let link = |(page, _): &(Page, Findings)| {
+        let link = element("a").attribute("href", format!("#{}", page.name)).with(page.title);
+        several().with(link).with(format!(": {}", page.question))
     };
-    let section = |(Page { name, title, question, .. }, findings): &(Page, Findings)| {
+    let section = |(page, findings): &(Page, Findings)| {
         element("section")
-            .attribute("id", name)
-            .with(heading(2, *title))
-            .with(paragraph(*question).class("question"))
+            .attribute("id", page.name)
+            .with(heading(2, page.title))
+            .with(paragraph(page.question).class("question"))
             .with(findings.section.clone())
     };
     let body = several()
@@ -32,19 +32,18 @@ pub(super) fn html(report: &Report) -> String {
     page("Groundtruth: report", &[STYLE], &body.html())
 }
 
-fn measured(provenance: &Provenance, seed: u64) -> Element {
-    let Provenance { version, commit, debug, processor, platform, threads } = provenance;
-    let warning = match debug {
+fn measured(made: &Provenance, seed: u64) -> Element {
+    let warning = match made.debug {
         true => " It was built with debug assertions, so times are too long.",
         false => "",
     };
     prose(&format!(
         include_str!("measured.txt"),
-        version = version,
-        commit = commit,
-        processor = processor,
-        platform = platform,
-        threads = threads,
+        version = made.version,
+        commit = made.commit,
+        processor = made.processor,
+        platform = made.platform,
+        threads = made.threads,
         seed = seed,
         warning = warning
     ))

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use self::scenes::{SUBJECTS, TextureScene};
 use super::convergence::{self, counts};
-use super::pictures::{Pictures, Series, rendered};
+use super::pictures::{Series, rendered};
 use super::reference::Reference;
 use super::{Findings, Interrupted, Page, ReportProgress, Settings};
 use groundtruth::film::Film;
@@ -96,7 +96,7 @@ fn measure(
     settings: &Settings,
     progress: &ReportProgress,
 ) -> Result<SceneData, Interrupted> {
-    let by = |filtering| {
+    let by = |filtering, name: &str| {
         let series = |samples: u32, replicas: RangeInclusive<u32>| {
             let frame = |moment| (subject.frame)(filtering, settings.width, moment);
             // seeds do not depend on the look-up: both use the same sample points
@@ -110,16 +110,14 @@ fn measure(
         let series: Vec<Series> = std::iter::once(reference).chain(levels).collect();
         let mut pictures = rendered(&series, progress)?;
         let references: Vec<_> = pictures.remove(0).films.chunks(1).map(Reference::new).collect();
-        Ok((pictures, references))
-    };
-    let (nearest, of_nearest) = by(Filtering::Nearest)?;
-    let (bilinear, of_bilinear) = by(Filtering::Bilinear)?;
-    let choice = |filtering, name: &str, pictures: &[Pictures], references: &[Reference]| {
         let shown = [&pictures[0].films[0], &references[0].film].map(Film::clone);
-        Choice::new(name.to_owned(), LookUp { filtering, pictures: shown }, pictures, references)
+        let kind = LookUp { filtering, pictures: shown };
+        Ok((Choice::new(name.to_owned(), kind, &pictures, &references), references))
     };
-    let films: Vec<Film> = of_bilinear.iter().map(|reference| reference.film.clone()).collect();
-    let [difference, _] = Reference::squared_error(&of_nearest, &films);
+    let (nearest, references) = by(Filtering::Nearest, "nearest")?;
+    let (bilinear, others) = by(Filtering::Bilinear, "bilinear")?;
+    let films: Vec<Film> = others.into_iter().map(|reference| reference.film).collect();
+    let [difference, _] = Reference::squared_error(&references, &films);
     Ok(SceneData {
         subject,
         width: films[0].width(),
@@ -127,9 +125,6 @@ fn measure(
         moments: subject.moments,
         reference_samples: reference_samples(settings),
         difference: difference.map_or(0.0, f64::sqrt),
-        choices: [
-            choice(Filtering::Nearest, "nearest", &nearest, &of_nearest),
-            choice(Filtering::Bilinear, "bilinear", &bilinear, &of_bilinear),
-        ],
+        choices: [nearest, bilinear],
     })
 }
