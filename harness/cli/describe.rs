@@ -14,7 +14,7 @@ pub struct Describe {
 
 impl Describe {
     pub fn run(&self) -> Outcome {
-        if self.scene.has_seed() {
+        if self.scene.chosen_seed().is_some() {
             let problem = "the seed changes only the noise of a picture, not the scene";
             return Err(format!("{problem}; leave out --seed").into());
         }

@@ -1,7 +1,7 @@
 //! `groundtruth explain`.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use explain::{PixelExplanation, Shown};
@@ -12,40 +12,42 @@ use groundtruth::world::World;
 use serde::Serialize;
 
 use super::columns::wrapped;
-use super::kept::{self, Keeping};
+use super::kept;
 use super::mistake::MistakeArgument;
 use super::numbers::{number, whole};
-use super::scene::SceneArguments;
-use super::why_not::{Asked, WhyNotArguments};
+use super::scene::{SceneArguments, option};
 use super::{Exit, Outcome, formulas, output, print};
 
 #[derive(Args)]
 pub struct Explain {
     #[command(flatten)]
-    scene: SceneArguments,
+    pub(super) scene: SceneArguments,
     #[command(flatten)]
-    mistake: MistakeArgument,
+    pub(super) mistake: MistakeArgument,
     /// The pixel: column and row, from 0 at the top left, as 200,150 or 200 150
     #[arg(value_name = "X,Y", required = true, num_args = 1..=2)]
     pixel: Vec<String>,
     /// Explain this sample only; the first if neither this nor --all is given
     #[arg(long, value_name = "I", value_parser = whole::<u32>(0..=u32::MAX.into()))]
-    sample: Option<u32>,
+    pub(super) sample: Option<u32>,
     /// Explain every sample of the pixel
     #[arg(long, conflicts_with = "sample")]
-    all: bool,
+    pub(super) all: bool,
     /// Show rays that contribute less than this percentage of their sample as one line; 0 shows all
     #[arg(long, value_name = "PERCENT", default_value_t = 1.0, value_parser = number(0.0..=100.0, "a number from 0 to 100 is needed"))]
     min_share: f64,
     /// Show only the path of rays along which most of the light comes
     #[arg(long)]
     largest: bool,
-    #[command(flatten)]
-    why_not: WhyNotArguments,
+    /// Say why a ray of the sample does not hit this object: how far it passes it, or what is in the way; --ray chooses
+    /// the ray
+    #[arg(long, value_name = "OBJECT", group = "about",
+        conflicts_with_all = ["all", "largest", "min_share", "columns", "formulas", "test"])]
+    why_not: Option<String>,
     /// Below each term, show its formula in the book's letters with this hit's numbers, the chapter and the source file;
     /// in JSON as `formula` of each term
     #[arg(long)]
-    formulas: bool,
+    pub(super) formulas: bool,
     /// Break lines that are longer than this, such as 100
     #[arg(long, value_name = "N", value_parser = whole::<usize>(60..=1000))]
     columns: Option<usize>,
@@ -55,11 +57,11 @@ pub struct Explain {
     /// Write a page for a class (.html), the rays as lines for modelling programs (.obj) or as a drawing over the scene
     /// (.svg), a log of them (.jsonl, for `groundtruth rays`), or what --json prints (.json); with --test a test (.rs) or a scene file (.toml)
     #[arg(short, long, value_name = "FILE", group = "about", conflicts_with_all = ["json", "largest", "columns"])]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     /// The ray that --why-not asks about, instead of the camera's; or whose section the page of -o shows, instead of the
     /// first that is mirrored or refracted
     #[arg(long, value_name = "N", requires = "about")]
-    ray: Option<usize>,
+    pub(super) ray: Option<usize>,
     /// Print a test in Rust that the pixel (or the sample of --sample) keeps its bits, with the scene reduced to what its
     /// rays touch
     #[arg(long, conflicts_with_all = ["json", "largest", "columns", "formulas", "all", "mistake", "ray"])]
@@ -68,18 +70,10 @@ pub struct Explain {
 
 /// What --json prints.
 #[derive(Serialize)]
-struct Report<'a> {
+struct Report<T> {
     made: Provenance,
     #[serde(flatten)]
-    explanation: Explained<'a>,
-}
-
-/// An explanation as data.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Explained<'a> {
-    Plain(&'a PixelExplanation),
-    WithFormulas(serde_json::Value),
+    explanation: T,
 }
 
 impl Explain {
@@ -93,7 +87,7 @@ impl Explain {
             output::writable(output)?;
         }
         if self.test {
-            return kept::test(&self.scene, &scene, (pixel, self.sample), self.output.as_deref());
+            return self.test(pixel, &scene);
         }
         match self.mistake.mistaken(&self.scene, &scene)? {
             None => self.explained(pixel, format, (&scene, &scene), &world),
@@ -123,12 +117,9 @@ impl Explain {
             return Err(format!("no sample {index}: the pixel has {count}, numbered from 0").into());
         }
         let explanation = explain::pixel(rendered, renderer, pixel, only)?;
-        if let Some(object) = self.why_not.object() {
+        if let Some(object) = &self.why_not {
             let made = self.json.then(|| self.made(scene, world)).transpose()?;
-            let (folder, command) = (self.scene.folder().unwrap_or(Path::new("")), self.command());
-            let asked =
-                Asked { object, ray: self.ray.unwrap_or(0), scene: rendered, folder, world };
-            return asked.print(&explanation, &command, made);
+            return self.why_not(object, (rendered, world), &explanation, made);
         }
         if self.json {
             return print(&self.report(scene, world, &explanation)?);
@@ -158,11 +149,14 @@ impl Explain {
         explanation: &PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
         let made = self.made(scene, world)?;
-        let explanation = match self.formulas {
-            true => Explained::WithFormulas(formulas::with_formulas(explanation)?),
-            false => Explained::Plain(explanation),
+        let json = match self.formulas {
+            true => {
+                let explanation = formulas::with_formulas(explanation)?;
+                serde_json::to_string_pretty(&Report { made, explanation })?
+            }
+            false => serde_json::to_string_pretty(&Report { made, explanation })?,
         };
-        Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
+        Ok(json + "\n")
     }
 
     /// How the pixel was made.
@@ -172,41 +166,17 @@ impl Explain {
         Ok(made)
     }
 
-    /// The explanation as a file of this format.
-    fn kept(
-        &self,
-        format: kept::Format,
-        scene: &Scene,
-        renderer: &impl Renderer,
-        explanation: &PixelExplanation,
-    ) -> Result<String, Box<dyn Error>> {
-        if self.all && !matches!(format, kept::Format::Html | kept::Format::Jsonl) {
-            return Err("--all: the file shows one sample; choose it with --sample".into());
-        }
-        if self.formulas && format != kept::Format::Html {
-            return Err("--formulas: a page has them, and the file has none; leave it out".into());
-        }
-        let (source, mistake) = (self.scene.name(), self.mistake.name());
-        let (ray, command) = (self.ray, &*self.command());
-        Keeping { source, mistake, scene, explanation, ray, command }.text(format, renderer)
-    }
-
     /// The command that explains the same in a terminal.
-    fn command(&self) -> String {
-        let mut words = vec!["groundtruth".to_owned(), "explain".to_owned()];
-        words.extend(self.scene.arguments());
-        words.extend(self.pixel.iter().cloned());
-        let option = |name: &str, value: Option<String>| value.map(|it| [name.to_owned(), it]);
-        let seed = self.scene.has_seed().then(|| self.scene.seed().to_string());
-        if self.all {
-            words.push("--all".to_owned());
-        }
-        let options = [
-            option("--seed", seed),
-            option("--sample", self.sample.map(|sample| sample.to_string())),
-            option("--mistake", self.mistake.name().map(str::to_owned)),
+    pub(super) fn command(&self) -> String {
+        let words = [
+            vec!["groundtruth".to_owned(), "explain".to_owned()],
+            self.scene.arguments(),
+            self.pixel.clone(),
+            if self.all { vec!["--all".to_owned()] } else { Vec::new() },
+            option("--seed", self.scene.chosen_seed()),
+            option("--sample", self.sample),
+            option("--mistake", self.mistake.name()),
         ];
-        words.extend(options.into_iter().flatten().flatten());
-        text::shell::line(words.iter().map(String::as_str))
+        text::shell::line(words.concat().iter().map(String::as_str))
     }
 }

@@ -57,7 +57,7 @@ pub struct Export {
 
 impl Export {
     pub fn run(&self) -> Outcome {
-        if self.scene.has_seed() {
+        if self.scene.chosen_seed().is_some() {
             return Err("a scene file keeps no seed; give --seed where it is rendered".into());
         }
         let (mut scene, _) = self.scene.load()?;

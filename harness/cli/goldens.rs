@@ -13,7 +13,7 @@ use text::brief::count;
 
 use super::list::is_in;
 use super::part::PartOf;
-use super::scene::{Size, samples};
+use super::scene::{samples, size};
 use super::{Exit, Outcome, print};
 use super::{interrupt, output};
 
@@ -81,8 +81,8 @@ struct Accept {
     #[arg(long, value_name = "REASON")]
     because: String,
     /// Width and height in pixels; if left out, those of the old golden, or 96 pixels wide
-    #[arg(long, value_name = "WxH")]
-    size: Option<Size>,
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
     /// Samples per pixel; if left out, those of the old golden, or at most 4
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
@@ -221,11 +221,8 @@ impl Accept {
         // written
         let interrupted = interrupt::flag()?;
 
-        let settings = GoldenSettings {
-            size: self.size.map(|size| [size.width, size.height]),
-            samples: self.samples,
-            shows: self.shows.clone(),
-        };
+        let settings =
+            GoldenSettings { size: self.size, samples: self.samples, shows: self.shows.clone() };
         let names = if self.all_drifted { drifted(&goldens)? } else { self.names.clone() };
         let mut proposals = Vec::new();
         for name in &names {

@@ -9,7 +9,8 @@ use groundtruth::scene::Scene;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
 use text::shell;
 
-use super::scene::SceneArguments;
+use super::explain::Explain;
+use super::scene::{SceneArguments, option};
 use super::{Exit, Outcome, output, print};
 
 /// What is written, by the end of the file's name.
@@ -60,43 +61,39 @@ impl Format {
     }
 }
 
-/// What is written of an explained pixel.
-pub struct Keeping<'a> {
-    /// What the scene is called, and the mistake of the program that traces it.
-    pub source: &'a str,
-    pub mistake: Option<&'a str>,
-    /// The scene.
-    pub scene: &'a Scene,
-    /// The pixel.
-    pub explanation: &'a PixelExplanation,
-    /// The ray whose section is shown.
-    pub ray: Option<usize>,
-    /// The command that explains the pixel.
-    pub command: &'a str,
-}
-
-impl Keeping<'_> {
-    fn name(&self) -> String {
-        let mistake = self.mistake.map_or(String::new(), |it| format!(" with the mistake {it}"));
-        format!("{}{mistake}", self.source)
-    }
-
-    /// The text of the file.
-    pub fn text(&self, format: Format, renderer: &impl Renderer) -> Result<String, Box<dyn Error>> {
-        let world = renderer.world();
-        let root = self.explanation.samples.first().and_then(|sample| sample.ray.as_ref());
-        self.check_ray(root)?;
+impl Explain {
+    /// The explanation as the text of a file of this format.
+    pub(super) fn kept(
+        &self,
+        format: Format,
+        scene: &Scene,
+        renderer: &impl Renderer,
+        explanation: &PixelExplanation,
+    ) -> Result<String, Box<dyn Error>> {
+        if self.all && !matches!(format, Format::Html | Format::Jsonl) {
+            return Err("--all: the file shows one sample; choose it with --sample".into());
+        }
+        if self.formulas && format != Format::Html {
+            return Err("--formulas: a page has them, and the file has none; leave it out".into());
+        }
+        let (world, ray, mistake) = (renderer.world(), self.ray, self.mistake.name());
+        let root = explanation.samples.first().and_then(|sample| sample.ray.as_ref());
+        let rays = root.map_or(0, RecordedRay::count);
+        if let Some(ray) = ray.filter(|&ray| ray >= rays) {
+            return Err(format!("no ray {ray}: the sample has {rays}, numbered from 0").into());
+        }
         let seen = || root.ok_or("the camera sees nothing there: no ray");
+        let with = mistake.map_or(String::new(), |it| format!(" with the mistake {it}"));
+        let name = &format!("{}{with}", self.scene.name());
         Ok(match format {
             Format::Obj => {
                 let (_, radius) = space::of_scene(world);
-                let [x, y] = self.explanation.pixel;
-                let about = format!("the rays of pixel ({x}, {y}) of {}", self.name());
+                let [x, y] = explanation.pixel;
+                let about = format!("the rays of pixel ({x}, {y}) of {name}");
                 space::obj(seen()?, &space::segments(world, seen()?, radius), &about)
             }
             Format::Jsonl => {
-                let scene = (self.source, renderer.world().picture_size());
-                rays::log_of(self.explanation, scene, self.mistake)
+                rays::log_of(explanation, (self.scene.name(), world.picture_size()), mistake)
             }
             Format::Svg => {
                 let orbit = space::orbit_of(world, seen()?);
@@ -104,57 +101,41 @@ impl Keeping<'_> {
                 space::svg_of_rays(world, seen()?, &orbit, &faded)
             }
             _ => {
-                let name = &*self.name();
-                let &Self { scene, explanation, ray, command, .. } = self;
-                let picture = &SmallPicture::rendered(renderer);
+                let (picture, command) = (&SmallPicture::rendered(renderer), &*self.command());
                 PixelPage { name, scene, world, explanation, picture, ray, command }.html()
             }
         })
     }
 
-    fn check_ray(&self, root: Option<&RecordedRay>) -> Result<(), String> {
-        let rays = root.map_or(0, RecordedRay::count);
-        match self.ray.filter(|&ray| ray >= rays) {
-            Some(ray) => Err(format!("no ray {ray}: the sample has {rays}, numbered from 0")),
-            None => Ok(()),
+    /// Reduces a scene to what a pixel, or one sample of it, needs, and writes it as a test or as a scene file.
+    pub(super) fn test(&self, pixel: [u32; 2], scene: &Scene) -> Outcome {
+        let (arguments, sample) = (&self.scene, self.sample);
+        let kept = Kept { pixel, sample, seed: arguments.seed };
+        let reduced = ReducedScene::of(scene, arguments.files_folder(), kept)?;
+        let Some(path) = &self.output else { return print(&rust(arguments, &reduced)) };
+        if Format::of(path, true)? == Format::Rust {
+            output::write(path, rust(arguments, &reduced).as_bytes())?;
+            return Ok(Exit::Yes);
         }
+        let text = match arguments.folder() {
+            Some(folder) => {
+                let folder = output::folder_seen_from(folder, path)?;
+                scenefile::to_toml(&scenefile::files_from(&reduced.scene, &folder)?)?
+            }
+            None => reduced.toml.clone(),
+        };
+        output::write(path, text.as_bytes())?;
+        let [x, y] = pixel;
+        let words = [
+            vec!["groundtruth".to_owned(), "explain".to_owned()],
+            vec![path.display().to_string(), format!("{x},{y}")],
+            option("--seed", arguments.chosen_seed()),
+            option("--sample", sample),
+        ];
+        let (counts, radiance) = (reduced.counts(), reduced.radiance.to_array());
+        let command = shell::line(words.concat().iter().map(String::as_str));
+        print(&format!("{counts}\nradiance: {radiance:?}\nnext: {command}\n"))
     }
-}
-
-/// Reduces a scene to what a pixel, or one sample of it, needs, and writes it as a test or as a scene file.
-pub fn test(
-    arguments: &SceneArguments,
-    scene: &Scene,
-    (pixel, sample): ([u32; 2], Option<u32>),
-    output: Option<&Path>,
-) -> Outcome {
-    let kept = Kept { pixel, sample, seed: arguments.seed() };
-    let reduced = ReducedScene::of(scene, arguments.files_folder(), kept)?;
-    let Some(path) = output else { return print(&rust(arguments, &reduced)) };
-    if Format::of(path, true)? == Format::Rust {
-        output::write(path, rust(arguments, &reduced).as_bytes())?;
-        return Ok(Exit::Yes);
-    }
-    let text = match arguments.folder() {
-        Some(folder) => {
-            let folder = output::folder_seen_from(folder, path)?;
-            scenefile::to_toml(&scenefile::files_from(&reduced.scene, &folder)?)?
-        }
-        None => reduced.toml.clone(),
-    };
-    output::write(path, text.as_bytes())?;
-    let [x, y] = pixel;
-    let (path, at) = (path.display().to_string(), format!("{x},{y}"));
-    let mut words = vec!["groundtruth", "explain", &path, &at];
-    let numbers = [arguments.seed().to_string(), sample.unwrap_or(0).to_string()];
-    if arguments.has_seed() {
-        words.extend(["--seed", &numbers[0]]);
-    }
-    if sample.is_some() {
-        words.extend(["--sample", &numbers[1]]);
-    }
-    let (counts, command) = (reduced.counts(), shell::line(words));
-    print(&format!("{counts}\nradiance: {:?}\nnext: {command}\n", reduced.radiance.to_array()))
 }
 
 fn rust(arguments: &SceneArguments, reduced: &ReducedScene) -> String {

@@ -41,7 +41,7 @@ impl MistakeArgument {
     ) -> Result<Option<Mistaken>, Box<dyn Error>> {
         let Some(mistake) = self.mistake else { return Ok(None) };
         let folder = arguments.files_folder();
-        let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
+        let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed)?;
         let KnownMistake { name, words, .. } = mistake.known();
         if mistaken.is_none() {
             return Err(format!(

@@ -18,7 +18,7 @@ use super::mistake::{MistakeArgument, note_if_not_shown};
 use super::numbers::whole;
 use super::output;
 use super::part::PartOf;
-use super::scene::{CropArgument, SceneArguments, start_threads};
+use super::scene::{self, SceneArguments, start_threads};
 use super::{Exit, Outcome, progress, replicas};
 
 #[derive(Args)]
@@ -42,8 +42,8 @@ pub struct Render {
     #[arg(long, value_name = "K/N", requires = "replicas")]
     part: Option<PartOf>,
     /// Render only a part: X,Y,WxH from the top left
-    #[arg(long, value_name = "X,Y,WxH")]
-    crop: Option<CropArgument>,
+    #[arg(long, value_name = "X,Y,WxH", value_parser = scene::crop)]
+    crop: Option<Crop>,
     /// How the two images of a stereo pair are written; side-by-side if left out
     #[arg(long, value_enum, value_name = "HOW")]
     stereo: Option<StereoOutput>,
@@ -102,8 +102,8 @@ impl Render {
         let world = renderer.world();
         let files = self.files(scene, world)?;
         let [width, height] = world.picture_size();
-        let whole = Crop { x: 0, y: 0, width, height };
-        let crop = self.crop.map_or(Ok(whole), |crop| crop.inside(world))?;
+        let crop = self.crop.unwrap_or(Crop { x: 0, y: 0, width, height });
+        scene::check_inside(crop, world)?;
         let content = self.layer.content(world, crop, (&self.output, files.format))?;
         let canvas = Arc::new(Canvas::cropped(crop));
         let notes = explain::notes(scene, world);
@@ -195,7 +195,9 @@ impl Files {
         let parts = match (self.pair, render.crop) {
             (StereoOutput::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
             (StereoOutput::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
-            (StereoOutput::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
+            (StereoOutput::SideBySide, crop) => {
+                [crop.map(|it| format!("crop {}", scene::crop_words(it))), None]
+            }
         };
         for ((film, file), part) in films.iter().zip(&self.paths).zip(parts) {
             let parts: Vec<String> = content.part().into_iter().chain(part).collect();

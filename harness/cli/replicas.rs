@@ -23,8 +23,8 @@ const SAVED_EVERY: Duration = Duration::from_secs(60);
 
 /// Renders the missing replicas of a part and writes its sums.
 pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, file: &Path) -> Outcome {
-    let asked = part.seeds(arguments.seed(), replicas)?;
-    let wanted = PartOf::default().seeds(arguments.seed(), replicas)?;
+    let asked = part.seeds(arguments.seed, replicas)?;
+    let wanted = PartOf::default().seeds(arguments.seed, replicas)?;
     output::writable(file)?;
     let (scene, mut world) = arguments.load()?;
     let header = header(arguments, &scene, &world)?;

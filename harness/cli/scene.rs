@@ -1,9 +1,7 @@
 //! The arguments that select a scene and change its settings, the same for every command.
 
 use std::error::Error;
-use std::fmt;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use clap::Args;
 use groundtruth::film::{self, Provenance};
@@ -22,8 +20,8 @@ pub struct SceneArguments {
     scene: String,
     /// Width and height of the picture in pixels, such as 300x200; the view stays the same. For a
     /// stereo pair: of each eye's image
-    #[arg(long, value_name = "WxH")]
-    size: Option<Size>,
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
     /// Samples per pixel
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
@@ -40,7 +38,7 @@ pub struct SceneArguments {
     max_depth: Option<u32>,
     /// The seed of all random choices
     #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED, value_parser = whole::<u64>(0..=u64::MAX))]
-    seed: u64,
+    pub seed: u64,
 }
 
 impl SceneArguments {
@@ -48,7 +46,7 @@ impl SceneArguments {
     pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
         let opened = OpenedScene::of(&self.scene)?;
         let mut scene = opened.scene.clone();
-        if let Some(Size { width, height }) = self.size {
+        if let Some([width, height]) = self.size {
             scene.image.resize(width, height);
         }
         self.change(&mut scene)?;
@@ -56,8 +54,9 @@ impl SceneArguments {
         let world = build(&scene).map_err(|error| match (error, self.size) {
             // the scene is valid with its own size, so the error is in --size, not in a line of the
             // file
-            (SceneError::Invalid { invalid, .. }, Some(size)) if build(&opened.scene).is_ok() => {
-                let Size { width, height } = size;
+            (SceneError::Invalid { invalid, .. }, Some([width, height]))
+                if build(&opened.scene).is_ok() =>
+            {
                 format!("--size {width}x{height}: {}", invalid.problem).into()
             }
             (error, _) => Box::<dyn Error>::from(error),
@@ -154,23 +153,16 @@ impl SceneArguments {
         changed.map_err(|problem| format!("--max-depth: {problem}"))
     }
 
-    /// The seed of all random choices.
-    pub fn seed(&self) -> u64 {
-        self.seed
-    }
-
     /// The arguments that select this scene and its settings, without the seed.
     pub fn arguments(&self) -> Vec<String> {
-        let size = self.size.map(|Size { width, height }| format!("{width}x{height}"));
         let options = [
-            ("--size", size),
-            ("--samples", self.samples.map(|samples| samples.to_string())),
-            ("--sampler", self.sampler.clone()),
-            ("--tracer", self.tracer.map(|tracer| tracer.name().to_owned())),
-            ("--max-depth", self.max_depth.map(|depth| depth.to_string())),
+            option("--size", self.size.map(|[width, height]| format!("{width}x{height}"))),
+            option("--samples", self.samples),
+            option("--sampler", self.sampler.as_ref()),
+            option("--tracer", self.tracer.map(Tracer::name)),
+            option("--max-depth", self.max_depth),
         ];
-        let given = options.into_iter().filter_map(|(name, value)| Some([name.to_owned(), value?]));
-        std::iter::once(self.scene.clone()).chain(given.flatten()).collect()
+        [self.scene.clone()].into_iter().chain(options.concat()).collect()
     }
 
     /// The scene of this name or file, as it is.
@@ -180,10 +172,15 @@ impl SceneArguments {
         Self { scene, size, samples, sampler, tracer, max_depth, seed: DEFAULT_SEED }
     }
 
-    /// Whether the seed is not the default.
-    pub fn has_seed(&self) -> bool {
-        self.seed != DEFAULT_SEED
+    /// The seed, if it is not the default.
+    pub fn chosen_seed(&self) -> Option<u64> {
+        (self.seed != DEFAULT_SEED).then_some(self.seed)
     }
+}
+
+/// An option of a command line, if it has a value.
+pub fn option(name: &str, value: Option<impl ToString>) -> Vec<String> {
+    value.map_or(Vec::new(), |value| vec![name.to_owned(), value.to_string()])
 }
 
 /// A scene as it is written, of the gallery or of a file.
@@ -229,71 +226,46 @@ pub fn samples() -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync +
     whole(1..=MAX_SAMPLES.into())
 }
 
-/// `300x200`.
-#[derive(Clone, Copy)]
-pub struct Size {
-    /// Columns; at least 1.
-    pub width: u32,
-    /// Rows; at least 1.
-    pub height: u32,
-}
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |text: &str| text.parse::<u64>().ok();
-        let parts = text.split_once('x').and_then(|(w, h)| Some((number(w)?, number(h)?)));
-        match parts {
-            Some((width, height)) if width.saturating_mul(height) > MAX_PIXELS => {
-                Err(format!("{width} × {height} pixels are too many; at most {MAX_PIXELS} fit"))
-            }
-            // both fit, because their product does
-            Some((width, height)) if width > 0 && height > 0 => {
-                Ok(Self { width: width as u32, height: height as u32 })
-            }
-            _ => Err("a size is written as 300x200".to_owned()),
+/// Parses columns and rows, as `300x200`; at least 1 of each.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
+    let number = |text: &str| text.parse::<u64>().ok();
+    let parts = text.split_once('x').and_then(|(w, h)| Some((number(w)?, number(h)?)));
+    match parts {
+        Some((width, height)) if width.saturating_mul(height) > MAX_PIXELS => {
+            Err(format!("{width} × {height} pixels are too many; at most {MAX_PIXELS} fit"))
         }
+        // both fit, because their product does
+        Some((width, height)) if width > 0 && height > 0 => Ok([width as u32, height as u32]),
+        _ => Err("a size is written as 300x200".to_owned()),
     }
 }
 
-/// `X,Y,WxH`: a part of the picture.
-#[derive(Clone, Copy)]
-pub struct CropArgument(Crop);
-
-impl FromStr for CropArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || "a crop is written as X,Y,WxH, such as 100,50,64x48".to_owned();
-        let mut parts = text.splitn(3, ',');
-        let mut next = || parts.next().ok_or_else(wrong);
-        let (x, y) = (next()?.parse(), next()?.parse());
-        let Size { width, height } = next()?.parse().map_err(|_| wrong())?;
-        let (Ok(x), Ok(y)) = (x, y) else { return Err(wrong()) };
-        Ok(Self(Crop { x, y, width, height }))
-    }
+/// Parses a part of the picture, as `X,Y,WxH`.
+pub fn crop(text: &str) -> Result<Crop, String> {
+    let wrong = || "a crop is written as X,Y,WxH, such as 100,50,64x48".to_owned();
+    let parts: Vec<&str> = text.splitn(3, ',').collect();
+    let [x, y, part] = parts[..] else { return Err(wrong()) };
+    let (Ok(x), Ok(y), Ok([width, height])) = (x.parse(), y.parse(), size(part)) else {
+        return Err(wrong());
+    };
+    Ok(Crop { x, y, width, height })
 }
 
-impl fmt::Display for CropArgument {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Crop { x, y, width, height } = self.0;
-        write!(f, "{x},{y},{width}x{height}")
-    }
+/// A part of the picture, as it is parsed.
+pub fn crop_words(Crop { x, y, width, height }: Crop) -> String {
+    format!("{x},{y},{width}x{height}")
 }
 
-impl CropArgument {
-    /// The part; fails if it is not inside the picture.
-    pub fn inside(self, world: &World) -> Result<Crop, Box<dyn Error>> {
-        let Crop { x, y, width, height } = self.0;
-        let fits = |start: u32, length: u32, whole: u32| {
-            start.checked_add(length).is_some_and(|end| end <= whole)
-        };
-        let [w, h] = world.picture_size();
-        if fits(x, width, w) && fits(y, height, h) {
-            return Ok(self.0);
-        }
-        Err(format!("--crop {self} reaches beyond the picture of {w}x{h}").into())
+/// Fails if the part is not inside the picture.
+pub fn check_inside(crop: Crop, world: &World) -> Result<(), String> {
+    let Crop { x, y, width, height } = crop;
+    let fits = |start: u32, length: u32, whole: u32| {
+        start.checked_add(length).is_some_and(|end| end <= whole)
+    };
+    let [w, h] = world.picture_size();
+    match fits(x, width, w) && fits(y, height, h) {
+        true => Ok(()),
+        false => Err(format!("--crop {} reaches beyond the picture of {w}x{h}", crop_words(crop))),
     }
 }
 

@@ -125,7 +125,7 @@ impl Verify {
         output::check_distinct(&self.output, &arguments.files_of(&scene))?;
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
-        let asked = arguments.seed();
+        let asked = arguments.seed;
         let seed = reference.as_ref().map_or(asked, |reference| reference.first_free(asked));
         if let Some(problem) = verdict::refusal_of_seed(seed) {
             return Err(problem.into());

@@ -1,8 +1,5 @@
 //! `groundtruth explain --why-not`: why a ray does not hit an object.
 
-use std::path::Path;
-
-use clap::Args;
 use explain::PixelExplanation;
 use groundtruth::film::Provenance;
 use groundtruth::scene::Scene;
@@ -11,21 +8,8 @@ use serde::Serialize;
 use space::why_not::{Question, WhyNot, object_named};
 use text::shell;
 
+use super::explain::Explain;
 use super::{Outcome, print};
-
-/// An object that is asked about.
-#[derive(Args)]
-pub struct WhyNotArguments {
-    /// Say why a ray of the sample does not hit this object: how far it passes it, or what is in the way; --ray chooses
-    /// the ray
-    #[arg(
-        long,
-        value_name = "OBJECT",
-        group = "about",
-        conflicts_with_all = ["all", "largest", "min_share", "columns", "formulas", "test"]
-    )]
-    why_not: Option<String>,
-}
 
 /// What `--why-not --json` prints.
 #[derive(Serialize)]
@@ -41,45 +25,24 @@ struct Report {
     next: String,
 }
 
-impl WhyNotArguments {
-    /// The object that is asked about.
-    pub fn object(&self) -> Option<&str> {
-        self.why_not.as_deref()
-    }
-}
-
-/// A question about a pixel.
-pub struct Asked<'a> {
-    /// The name of the object.
-    pub object: &'a str,
-    /// The number of the ray.
-    pub ray: usize,
-    /// The scene that was rendered.
-    pub scene: &'a Scene,
-    /// The folder of its files.
-    pub folder: &'a Path,
-    /// Its world.
-    pub world: &'a World,
-}
-
-impl Asked<'_> {
-    /// Prints the answer for the explained sample, as text or, with how it was made, as JSON. `command` explains the
-    /// sample.
+impl Explain {
+    /// Prints the answer for an object and the explained sample, as text or, with how it was made, as JSON.
     ///
     /// # Errors
     /// No such object, or no such ray.
-    pub fn print(
+    pub(super) fn why_not(
         &self,
+        object: &str,
+        (scene, world): (&Scene, &World),
         explanation: &PixelExplanation,
-        command: &str,
         made: Option<Provenance>,
     ) -> Outcome {
-        let Self { ray, scene, folder, world, .. } = *self;
-        let object = object_named(scene, self.object)?;
+        let object = object_named(scene, object)?;
         let sample = explanation.samples.first().ok_or("no sample is explained")?;
         let root = sample.ray.as_ref().ok_or("no ray: the camera sees nothing at this pixel")?;
+        let (folder, ray) = (self.scene.files_folder(), self.ray.unwrap_or(0));
         let why_not = Question { scene, folder, world, root, ray, object }.answer()?;
-        let next = next(&why_not, command);
+        let next = next(&why_not, &self.command());
         if let Some(made) = made {
             let (pixel, sample) = (explanation.pixel, sample.index);
             let sentence = why_not.sentence();

@@ -81,7 +81,7 @@ impl WitnessRequest<'_> {
         let samples = if is_noiseless { 1 } else { self.samples.unwrap_or(SAMPLES) };
         let mut scene = sampled(scene, samples);
         let folder = arguments.files_folder();
-        let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed());
+        let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed);
         let target = self.by.target();
         let said = |scene: &Scene| said(target, (arguments.name(), "scene"), scene, folder);
         // before our picture is rendered
