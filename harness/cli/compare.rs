@@ -70,6 +70,15 @@ enum Side {
     Scene(Box<OpenedScene>),
 }
 
+impl Side {
+    fn picture(&self) -> Option<&Picture> {
+        match self {
+            Self::Picture(picture) => Some(picture),
+            Self::Scene(_) => None,
+        }
+    }
+}
+
 impl Compare {
     pub fn run(mut self) -> Outcome {
         let inputs = [&self.a, &self.b].map(Path::new);
@@ -81,16 +90,10 @@ impl Compare {
             std::mem::swap(&mut self.a, &mut self.b);
         }
         let sides = [self.side(&self.a)?, self.side(&self.b)?];
-        let size = sides.iter().find_map(|side| match side {
-            Side::Picture(picture) => Some(picture.size),
-            Side::Scene(..) => None,
-        });
-        announce::notes(sides.iter().zip([&*self.a, &*self.b]).filter_map(
-            |(side, name)| match side {
-                Side::Picture(picture) => Some((name, picture)),
-                Side::Scene(..) => None,
-            },
-        ));
+        let read = sides.iter().zip([&*self.a, &*self.b]);
+        let read = read.filter_map(|(side, name)| Some((name, side.picture()?)));
+        let size = read.clone().next().map(|(_, picture)| picture.size);
+        announce::notes(read);
         let (mut pictures, mut films, mut worlds) = (Vec::new(), Vec::new(), [None, None]);
         for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
@@ -116,9 +119,8 @@ impl Compare {
         let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
         let ours = ours.filter_map(|(name, world)| Some((name, size(&world.as_ref()?.1)))).next();
         let names = self.names();
-        let names = [&*names[0], &*names[1]];
         let both = [&pictures[0], &pictures[1]];
-        let mut comparison = Comparison::named(names, both, self.tolerance)?;
+        let mut comparison = Comparison::named([&*names[0], &*names[1]], both, self.tolerance)?;
         comparison.notes.extend(why.note);
         comparison.loss = why.loss;
         if !comparison.is_same() {
@@ -255,27 +257,18 @@ impl Compare {
     /// shape is not that of the scene; of two files, a page shows where.
     fn next(&self, comparison: &Comparison, ours: Option<Ours<'_>>) -> String {
         let [a, b] = [&self.a, &self.b].map(|name| quoted(name));
+        let curve = Transfer::option(self.encoding);
         let is_picture = !is_scene(&self.b);
         match (ours, &comparison.worst) {
             (Some((scene, _)), None) => judge::mistakes::command(scene),
             (Some((scene, _)), Some(_)) if is_picture && has_shape(scene, comparison.size) => {
-                format!(
-                    "groundtruth verify {} {b}{}",
-                    quoted(scene),
-                    Transfer::option(self.encoding)
-                )
+                format!("groundtruth verify {} {b}{curve}", quoted(scene))
             }
             (Some(ours), Some(worst)) => self.commands(ours, worst.worst).swap_remove(0),
             (None, Some(_)) if self.output.is_none() => {
-                format!(
-                    "groundtruth compare {a} {b}{} -o compare.html",
-                    Transfer::option(self.encoding)
-                )
+                format!("groundtruth compare {a} {b}{curve} -o compare.html")
             }
-            (None, _) => format!(
-                "groundtruth verify --before {a} --after {b}{}",
-                Transfer::option(self.encoding)
-            ),
+            (None, _) => format!("groundtruth verify --before {a} --after {b}{curve}"),
         }
     }
 

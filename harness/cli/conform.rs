@@ -10,6 +10,7 @@ use conform::{self, Card, KnownFailures, Options, Profile, Row, card, family::Fa
 
 use super::numbers::whole;
 use super::program::{CardArguments, Written, unanswered};
+use super::scene::option;
 use super::{Exit, Outcome, interrupt, print, progress};
 
 #[derive(Args)]
@@ -97,38 +98,33 @@ impl Conform {
 
     /// What was typed, to be asked again.
     fn invocation(&self) -> Invocation<'_> {
-        let option = |name: &str, value: String| [name.to_owned(), value];
-        let only = self.only.iter().map(|only| option("--only", only.to_string()));
-        let book =
-            matches!(self.profile, Exact::Book).then(|| option("--profile", "book".to_owned()));
-        let known = self.known.iter().map(|file| option("--known", file.display().to_string()));
-        let selection = self.what.iter().cloned().chain(only.flatten()).collect();
+        let book = matches!(self.profile, Exact::Book).then_some("book");
+        let known = self.known.as_ref().map(|file| file.display());
+        let options = [option("--profile", book), option("--known", known)].concat();
+        let selection = [self.what.clone(), option("--only", self.only.as_ref())].concat();
         let cases = (self.cases != conform::CASES).then_some(self.cases);
-        self.card.invocation(selection, book.into_iter().chain(known).flatten(), cases)
+        self.card.invocation(selection, options, cases)
     }
 
     /// The families that the arguments select; at least one.
     fn families(&self) -> Result<Vec<Family>, Box<dyn Error>> {
         let mut families = conform::suite::all();
-        for word in &self.what {
-            if !families.iter().any(|family| family.is_selected_by(word)) {
-                return Err(conform::suite::unknown(word, &families).into());
-            }
+        let is_known = |word: &str| families.iter().any(|family| family.is_selected_by(word));
+        if let Some(word) = self.what.iter().find(|word| !is_known(word)) {
+            return Err(conform::suite::unknown(word, &families).into());
         }
         families.retain(|family| {
             let named =
                 self.what.is_empty() || self.what.iter().any(|word| family.is_selected_by(word));
             named && self.only.as_ref().is_none_or(|only| only.matches(&family.name))
         });
-        match families.is_empty() {
-            true => {
-                let word = self.only.as_ref().map_or("", |only| only.as_str()).trim_matches('*');
-                let hint = conform::suite::similar(word.trim_matches('.'), &conform::suite::all());
-                Err(format!("no family matches --only{hint} (the names are those on the card)")
-                    .into())
-            }
-            false => Ok(families),
+        if families.is_empty() {
+            let word = self.only.as_ref().map_or("", |only| only.as_str()).trim_matches('*');
+            let hint = conform::suite::similar(word.trim_matches('.'), &conform::suite::all());
+            let problem = "no family matches --only";
+            return Err(format!("{problem}{hint} (the names are those on the card)").into());
         }
+        Ok(families)
     }
 }
 

@@ -29,43 +29,34 @@ pub struct Goldens {
 #[derive(Subcommand)]
 enum Command {
     /// Render every golden and compare; exit status 0 if all are the same
-    Check(Check),
+    Check {
+        /// Goldens to check, such as ch24/hall-of-mirrors or spheres.toml, or chapters, such as ch24; all if left out
+        names: Vec<String>,
+        /// Check only every N-th of them, from K on, such as 0/8, so that N machines share the work; K is from 0 to
+        /// N − 1
+        #[arg(long, value_name = "K/N")]
+        part: Option<PartOf>,
+    },
     /// Write one HTML page: of each golden that differs the expected and the actual picture, side by side, to flip
     /// and to swipe, their difference, its regions, and what was changed in its scene file
-    Review(Review),
+    Review {
+        /// Goldens to show, or chapters, such as ch24; those that differ if left out
+        names: Vec<String>,
+        /// Show all
+        #[arg(long, conflicts_with = "names")]
+        all: bool,
+        /// The page to write
+        #[arg(short, long, value_name = "FILE", default_value = "review.html")]
+        output: PathBuf,
+    },
     /// Accept the current pictures as goldens, with a reason
     Accept(Accept),
     /// Remove goldens: from the manifest, and their pictures. Their scenes stay
-    Remove(Remove),
-}
-
-#[derive(Args)]
-struct Check {
-    /// Goldens to check, such as ch24/hall-of-mirrors or spheres.toml, or chapters, such as ch24; all if left out
-    names: Vec<String>,
-    /// Check only every N-th of them, from K on, such as 0/8, so that N machines share the work; K is from 0 to
-    /// N − 1
-    #[arg(long, value_name = "K/N")]
-    part: Option<PartOf>,
-}
-
-#[derive(Args)]
-struct Review {
-    /// Goldens to show, or chapters, such as ch24; those that differ if left out
-    names: Vec<String>,
-    /// Show all
-    #[arg(long, conflicts_with = "names")]
-    all: bool,
-    /// The page to write
-    #[arg(short, long, value_name = "FILE", default_value = "review.html")]
-    output: PathBuf,
-}
-
-#[derive(Args)]
-struct Remove {
-    /// Goldens, such as ch24/hall-of-mirrors or spheres.toml.normals, or chapters, such as ch24
-    #[arg(required = true)]
-    names: Vec<String>,
+    Remove {
+        /// Goldens, such as ch24/hall-of-mirrors or spheres.toml.normals, or chapters, such as ch24
+        #[arg(required = true)]
+        names: Vec<String>,
+    },
 }
 
 #[derive(Args)]
@@ -93,11 +84,12 @@ struct Accept {
 
 impl Goldens {
     pub fn run(&self) -> Outcome {
+        let folder = &self.folder;
         match &self.command {
-            Command::Check(check) => check.run(&self.folder),
-            Command::Review(review) => review.run(&self.folder),
-            Command::Accept(accept) => accept.run(&self.folder),
-            Command::Remove(remove) => remove.run(&self.folder),
+            Command::Check { names, part } => check(folder, names, part.unwrap_or_default()),
+            Command::Review { names, all, output } => review(folder, names, *all, output),
+            Command::Accept(accept) => accept.run(folder),
+            Command::Remove { names } => remove(folder, names),
         }
     }
 }
@@ -127,48 +119,44 @@ fn wanted(goldens: &Folder, names: &[String], part: PartOf) -> Result<Vec<String
         known.retain(|name| goldens.find(name).is_some());
     }
     let is_meant = |name: &str, known: &str| golden::leaf(name) == known || is_in(known, name);
-    for name in names {
-        if !known.iter().any(|known| is_meant(name, known)) {
-            let known: Vec<&str> = known.iter().map(String::as_str).collect();
-            let hint = similar::did_you_mean(name, &known);
-            return Err(format!("no golden `{name}`: neither in the manifest nor a scene of the gallery (`groundtruth list`){hint}").into());
-        }
+    let is_unknown = |name: &&String| !known.iter().any(|known| is_meant(name, known));
+    if let Some(name) = names.iter().find(is_unknown) {
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let hint = similar::did_you_mean(name, &known);
+        return Err(format!("no golden `{name}`: neither in the manifest nor a scene of the gallery (`groundtruth list`){hint}").into());
     }
     known.retain(|known| names.is_empty() || names.iter().any(|name| is_meant(name, known)));
     Ok(part.of_list(known.into_iter()).collect())
 }
 
-impl Check {
-    fn run(&self, folder: &Path) -> Outcome {
-        let (goldens, part) = (open(folder)?, self.part.unwrap_or_default());
-        let findings = findings(&goldens, &self.names, part)?;
-        let text: String = findings.iter().map(line).collect();
-        print(&text)?;
-        let bad: Vec<&GoldenFinding> =
-            findings.iter().filter(|f| f.status != GoldenStatus::Same).collect();
-        if bad.is_empty() {
-            print(&format!("checked {}, all the same\n", findings.len()))?;
-            return Ok(Exit::Yes);
-        }
-        let mut advice = format!(
-            "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html{}\n",
-            bad.len(),
-            findings.len(),
-            review::folder_option(folder)
-        );
-        for finding in bad.iter().filter(|f| f.status != GoldenStatus::Drift) {
-            let to = if finding.status == GoldenStatus::NoScene { "remove" } else { "accept" };
-            advice += &format!("to {to}: {}\n", review::accept_command(finding));
-        }
-        if bad.iter().any(|f| f.status == GoldenStatus::Drift) {
-            let folder = review::folder_option(folder);
-            advice += &format!(
-                "to accept: groundtruth goldens accept --all-drifted --because \"…\"{folder}\n"
-            );
-        }
-        print(&advice)?;
-        Ok(Exit::No)
+fn check(folder: &Path, names: &[String], part: PartOf) -> Outcome {
+    let findings = findings(&open(folder)?, names, part)?;
+    let text: String = findings.iter().map(line).collect();
+    print(&text)?;
+    let bad: Vec<&GoldenFinding> =
+        findings.iter().filter(|f| f.status != GoldenStatus::Same).collect();
+    if bad.is_empty() {
+        print(&format!("checked {}, all the same\n", findings.len()))?;
+        return Ok(Exit::Yes);
     }
+    let mut advice = format!(
+        "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html{}\n",
+        bad.len(),
+        findings.len(),
+        review::folder_option(folder)
+    );
+    for finding in bad.iter().filter(|f| f.status != GoldenStatus::Drift) {
+        let to = if finding.status == GoldenStatus::NoScene { "remove" } else { "accept" };
+        advice += &format!("to {to}: {}\n", review::accept_command(finding));
+    }
+    if bad.iter().any(|f| f.status == GoldenStatus::Drift) {
+        let folder = review::folder_option(folder);
+        advice += &format!(
+            "to accept: groundtruth goldens accept --all-drifted --because \"…\"{folder}\n"
+        );
+    }
+    print(&advice)?;
+    Ok(Exit::No)
 }
 
 /// `changed   ch24/hall-of-mirrors: 312 of 6144 pixels differ, the most by 1.2e-1 at (40, 12)`.
@@ -200,17 +188,15 @@ fn line(finding: &GoldenFinding) -> String {
     format!("{:9} {}{why}\n", review::words(&finding.status), finding.name)
 }
 
-impl Review {
-    fn run(&self, folder: &Path) -> Outcome {
-        let mut findings = findings(&open(folder)?, &self.names, PartOf::default())?;
-        if self.names.is_empty() && !self.all {
-            findings.retain(|finding| finding.status != GoldenStatus::Same);
-        }
-        let mut told = review::told(&findings, folder);
-        output::write(&self.output, review::page(&findings, &told).as_bytes())?;
-        told.details += &format!("{}: shows {}\n", output::name(&self.output), findings.len());
-        output::say(&told.text(), Some(&self.output))
+fn review(folder: &Path, names: &[String], all: bool, page: &Path) -> Outcome {
+    let mut findings = findings(&open(folder)?, names, PartOf::default())?;
+    if names.is_empty() && !all {
+        findings.retain(|finding| finding.status != GoldenStatus::Same);
     }
+    let mut told = review::told(&findings, folder);
+    output::write(page, review::page(&findings, &told).as_bytes())?;
+    told.details += &format!("{}: shows {}\n", output::name(page), findings.len());
+    output::say(&told.text(), Some(page))
 }
 
 impl Accept {
@@ -244,16 +230,14 @@ impl Accept {
     }
 }
 
-impl Remove {
-    fn run(&self, folder: &Path) -> Outcome {
-        let mut goldens = open(folder)?;
-        let mut names = wanted(&goldens, &self.names, PartOf::default())?;
-        names.retain(|name| goldens.find(name).is_some());
-        goldens.remove(&names)?;
-        let text: String = names.iter().map(|name| format!("removed   {name}\n")).collect();
-        print(&text)?;
-        print_kept(&goldens)
-    }
+fn remove(folder: &Path, names: &[String]) -> Outcome {
+    let mut goldens = open(folder)?;
+    let mut names = wanted(&goldens, names, PartOf::default())?;
+    names.retain(|name| goldens.find(name).is_some());
+    goldens.remove(&names)?;
+    let text: String = names.iter().map(|name| format!("removed   {name}\n")).collect();
+    print(&text)?;
+    print_kept(&goldens)
 }
 
 fn print_kept(goldens: &Folder) -> Outcome {

@@ -9,6 +9,7 @@ use groundtruth::printable;
 
 use super::numbers::whole;
 use super::program::{CardArguments, Written, unanswered};
+use super::scene::option;
 use super::{Exit, Outcome, interrupt, print, progress};
 
 #[derive(Args)]
@@ -54,7 +55,7 @@ impl Laws {
         bar.finish_and_clear();
         drop(program);
         let selection = self.only.iter().map(ToString::to_string).collect();
-        let pack = self.pack.iter().flat_map(|name| ["--pack".to_owned(), name.clone()]);
+        let pack = option("--pack", self.pack.as_ref());
         let cases = (self.cases != claims::CASES).then_some(self.cases);
         let told = claims::told(&card, &self.card.invocation(selection, pack, cases));
         self.card.write(&Written {

@@ -93,10 +93,10 @@ impl CardArguments {
     pub fn invocation(
         &self,
         selection: Vec<String>,
-        options: impl Iterator<Item = String>,
+        options: Vec<String>,
         cases: Option<usize>,
     ) -> Invocation<'_> {
-        let options = options.chain(self.program.limits()).collect();
+        let options = [options, self.program.limits()].concat();
         let program = &self.program.program;
         Invocation { selection, options, cases, is_fresh: self.fresh, program }
     }
