@@ -81,18 +81,26 @@ pub fn count(n: usize) -> String {
 }
 
 /// `a`, `a and b`, `a, b and c`.
-pub fn listed(words: &[String]) -> String {
-    match words {
-        [] => "none".to_owned(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
+pub fn listed(words: impl IntoIterator<Item = impl ToString>) -> String {
+    listed_in("", words, "").unwrap_or_else(|| "none".to_owned())
 }
 
 /// ` (or a and b, about as good)`; nothing for none.
-pub fn or_as_good(words: &[String]) -> String {
-    match words {
-        [] => String::new(),
-        words => format!(" (or {}, about as good)", listed(words)),
-    }
+pub fn or_as_good(words: impl IntoIterator<Item = impl ToString>) -> String {
+    listed_in(" (or ", words, ", about as good)").unwrap_or_default()
+}
+
+/// The list with words before and after it; `None` for none.
+pub fn listed_in(
+    before: &str,
+    words: impl IntoIterator<Item = impl ToString>,
+    after: &str,
+) -> Option<String> {
+    let words: Vec<String> = words.into_iter().map(|word| word.to_string()).collect();
+    let list = match &words[..] {
+        [] => return None,
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    };
+    Some(format!("{before}{list}{after}"))
 }

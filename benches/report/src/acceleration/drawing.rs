@@ -16,8 +16,14 @@ const FITTED_FROM: usize = 1000;
 const AS_GOOD: f64 = 1.1;
 
 pub fn page(data: &Data) -> Element {
+    let explanation = format!(
+        include_str!("explanation.txt"),
+        side = data.side,
+        from = FITTED_FROM,
+        confidence = 100.0 * CONFIDENCE
+    );
     several()
-        .with(explanation(data))
+        .with(prose(&explanation))
         .with(pick("What to pick.", advice(data)))
         .with_all(data.stages.iter().map(|stage| section(stage, data.side)))
 }
@@ -38,16 +44,6 @@ fn section(stage: &StageData, side: u32) -> Element {
         .with_all(skipped(stage))
 }
 
-fn explanation(data: &Data) -> Element {
-    let (side, confidence) = (data.side, 100.0 * CONFIDENCE);
-    prose(&format!(
-        include_str!("explanation.txt"),
-        side = side,
-        from = FITTED_FROM,
-        confidence = confidence
-    ))
-}
-
 /// The names of the structures, in the order in which they first appear.
 fn structures<'a>(stages: impl IntoIterator<Item = &'a StageData>) -> Vec<&'a str> {
     let mut names = Vec::new();
@@ -63,13 +59,17 @@ fn runs<'a>(stage: &'a StageData, structure: &'a str) -> impl Iterator<Item = &'
     stage.runs.iter().filter(move |run| run.structure == structure)
 }
 
+/// The numbers of objects of all runs.
+fn sizes(stage: &StageData) -> impl Iterator<Item = usize> {
+    stage.runs.iter().map(|run| run.objects)
+}
+
 /// The largest ratio of a structure's time to the best time of the scene and size.
 struct Regret<'a> {
     structure: &'a str,
     ratio: f64,
     /// The scene and size.
-    stage: &'a str,
-    objects: usize,
+    place: String,
 }
 
 /// The regret of a structure, from a number of objects on; `None` if it was skipped in a scene.
@@ -81,11 +81,16 @@ fn regret<'a>(data: &'a Data, structure: &'a str, from: usize) -> Option<Regret<
     }
     let of_run = |(stage, run): (&'a StageData, &'a Run)| {
         let ratio = run.picture_seconds / best(stage, run.objects)?.picture_seconds;
-        Some(Regret { structure, ratio, stage: stage.stage.name, objects: run.objects })
+        Some(Regret { structure, ratio, place: place(stage, run) })
     };
     let runs = data.stages.iter().flat_map(|stage| runs(stage, structure).map(move |r| (stage, r)));
     let all = runs.filter(|(_, run)| run.objects >= from).filter_map(of_run);
     all.reduce(|worst, next| if next.ratio > worst.ratio { next } else { worst })
+}
+
+/// `bumpy mesh, 1000 objects`.
+fn place(stage: &StageData, run: &Run) -> String {
+    format!("{}, {} objects", stage.stage.name, count(run.objects))
 }
 
 fn best(stage: &StageData, objects: usize) -> Option<&Run> {
@@ -96,7 +101,7 @@ fn best(stage: &StageData, objects: usize) -> Option<&Run> {
 /// The recommendation.
 fn advice(data: &Data) -> String {
     let names = structures(&data.stages);
-    let largest = data.stages.iter().flat_map(|s| &s.runs).map(|run| run.objects).max();
+    let largest = data.stages.iter().flat_map(sizes).max();
     let from = FITTED_FROM.min(largest.unwrap_or(0) / 2);
     let mut regrets: Vec<Regret<'_>> =
         names.iter().filter_map(|name| regret(data, name, from)).collect();
@@ -107,54 +112,41 @@ fn advice(data: &Data) -> String {
     let name = least.structure;
     let mut text =
         format!("The {name}, if nothing is known about the scene: from {from} objects on ");
-    text += &if least.ratio <= AS_GOOD {
-        "it is the fastest in every scene, or as fast as the fastest. ".to_owned()
-    } else {
-        let Regret { ratio, stage, objects, .. } = least;
-        let (ratio, objects) = (rough(*ratio), count(*objects));
-        format!(
-            "it takes at most {ratio} times the time of the best (in {stage}, {objects} objects). "
-        )
+    text += &match least.ratio <= AS_GOOD {
+        true => "it is the fastest in every scene, or as fast as the fastest. ".to_owned(),
+        false => {
+            let (ratio, place) = (rough(least.ratio), &least.place);
+            format!("it takes at most {ratio} times the time of the best (in {place}). ")
+        }
     };
-    for Regret { structure, ratio, stage, objects } in others {
-        let (ratio, objects) = (rough(*ratio), count(*objects));
-        text +=
-            &format!("The {structure} takes up to {ratio} times ({stage}, {objects} objects). ");
+    for Regret { structure, ratio, place } in others {
+        text += &format!("The {structure} takes up to {} times ({place}). ", rough(*ratio));
     }
     text + &of_each_scene(data) + &lists(data, name)
 }
 
 /// The fastest structure at the largest size of each scene.
 fn of_each_scene(data: &Data) -> String {
-    let largest = |stage: &'_ StageData| stage.runs.iter().map(|run| run.objects).max();
-    let fastest: Vec<(&StageData, &Run)> = data
-        .stages
-        .iter()
-        .filter_map(|stage| Some((stage, best(stage, largest(stage)?)?)))
-        .collect();
+    let fastest_of = |stage| Some((stage, best(stage, sizes(stage).max()?)?));
+    let fastest: Vec<(&StageData, &Run)> = data.stages.iter().filter_map(fastest_of).collect();
     let winners: BTreeSet<&str> = fastest.iter().map(|(_, run)| &*run.structure).collect();
     if let (Some(winner), 1) = (winners.first(), winners.len()) {
         return format!("At the largest size of every scene the {winner} is the fastest. ");
     }
-    let words = |(stage, run): &(&StageData, &Run)| {
-        format!("{} ({}, {} objects)", run.structure, stage.stage.name, count(run.objects))
-    };
-    let words: Vec<String> = fastest.iter().map(words).collect();
-    format!("The fastest at the largest sizes: {}. ", listed(&words))
+    let words =
+        fastest.iter().map(|(stage, run)| format!("{} ({})", run.structure, place(stage, run)));
+    format!("The fastest at the largest sizes: {}. ", listed(words))
 }
 
 /// The scenes in which a list is the fastest for few objects.
 fn lists(data: &Data, pick: &str) -> String {
     let pays = |stage: &&StageData| {
-        stage.runs.iter().any(|run| {
-            let wins = best(stage, run.objects).is_some_and(|best| best.structure == "list");
-            run.structure == "list" && wins
-        })
+        let fastest = |run: &Run| best(stage, run.objects);
+        runs(stage, "list").filter_map(fastest).any(|best| best.structure == "list")
     };
-    let scenes: Vec<String> =
-        data.stages.iter().filter(pays).map(|stage| stage.stage.name.to_owned()).collect();
+    let scenes: Vec<&str> = data.stages.iter().filter(pays).map(|it| it.stage.name).collect();
     if scenes.is_empty() && pick != "list" {
-        let least = data.stages.iter().flat_map(|s| &s.runs).map(|run| run.objects).min();
+        let least = data.stages.iter().flat_map(sizes).min();
         return format!("A list is not the fastest even for {} objects.", least.unwrap_or(0));
     }
     format!("A list is the fastest for few objects of: {}.", listed(&scenes))
@@ -201,7 +193,7 @@ fn plot(stage: &StageData, y: &str, of: fn(&Run) -> f64) -> Element {
 
 /// The powers of ten only; all sizes are in `report.json`.
 fn details(stage: &StageData) -> Element {
-    let objects: BTreeSet<usize> = stage.runs.iter().map(|run| run.objects).collect();
+    let objects: BTreeSet<usize> = sizes(stage).collect();
     let shown: BTreeSet<usize> = objects.into_iter().step_by(2).collect();
     let names = structures([stage]);
     let all = names.iter().flat_map(|name| runs(stage, name));
@@ -223,9 +215,9 @@ fn skipped(stage: &StageData) -> Vec<Element> {
     let names: BTreeSet<&str> = stage.skipped.iter().map(|s| &*s.structure).collect();
     let sentence = |name: &str| {
         let skipped = || stage.skipped.iter().filter(|s| s.structure == name);
-        let sizes: Vec<String> = skipped().map(|s| count(s.objects)).collect();
+        let sizes = listed(skipped().map(|s| count(s.objects)));
         let why = skipped().next().map_or("", |s| &*s.why);
-        let words = format!("Skipped: {name}, for {} objects ({why}).", listed(&sizes));
+        let words = format!("Skipped: {name}, for {sizes} objects ({why}).");
         paragraph(words).class("about")
     };
     names.into_iter().map(sentence).collect()

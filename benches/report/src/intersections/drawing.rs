@@ -2,7 +2,7 @@
 
 use super::{Data, FamilyData, KindData, Routine};
 use crate::plot::{Limit, Plot, Series};
-use crate::words::{bad, beginning, count, flagged, listed, pick, rough_or_dash};
+use crate::words::*;
 use exact::backward_error::ALLOWED;
 use statistics::quantile;
 use text::digits::rough;
@@ -12,9 +12,15 @@ use text::document::*;
 const MIN_DRAWN: f64 = 0.01;
 
 pub fn page(data: &Data) -> Element {
-    let all = summaries(data);
+    let all: Vec<Summary<'_>> = (1..).zip(&data.kinds).map(Summary::new).collect();
+    let explanation = format!(
+        include_str!("explanation.txt"),
+        kinds = data.kinds.len(),
+        cases = data.cases,
+        allowed = ALLOWED
+    );
     several()
-        .with(explanation(data))
+        .with(prose(&explanation))
         .with(pick("What to pick.", advice(&all)))
         .with(overview(&all))
         .with(plot(&all).figure(CAPTION))
@@ -27,16 +33,6 @@ const CAPTION: &str = "Speed against error. Each number is a shape of the table 
     where it is largest; lower left is better. Errors of 0.01 or less are drawn at 0.01. Lost and \
     wrong hits are not shown.";
 
-fn explanation(data: &Data) -> Element {
-    let (kinds, cases) = (data.kinds.len(), data.cases);
-    prose(&format!(
-        include_str!("explanation.txt"),
-        kinds = kinds,
-        cases = cases,
-        allowed = ALLOWED
-    ))
-}
-
 /// A kind with both routines over all families: the largest errors, and the times on ordinary rays.
 struct Summary<'a> {
     /// Its number in table and diagram.
@@ -46,15 +42,12 @@ struct Summary<'a> {
     textbook: Routine,
 }
 
-fn summaries(data: &Data) -> Vec<Summary<'_>> {
-    let numbered = (1..).zip(&data.kinds);
-    let summaries = numbered.map(|(number, kind)| Summary {
-        number,
-        kind,
-        ours: over_all(kind, |family| &family.ours),
-        textbook: over_all(kind, |family| &family.textbook),
-    });
-    summaries.collect()
+impl<'a> Summary<'a> {
+    fn new((number, kind): (usize, &'a KindData)) -> Self {
+        let ours = over_all(kind, |family| &family.ours);
+        let textbook = over_all(kind, |family| &family.textbook);
+        Self { number, kind, ours, textbook }
+    }
 }
 
 fn over_all(kind: &KindData, of: fn(&FamilyData) -> &Routine) -> Routine {
@@ -67,8 +60,7 @@ fn over_all(kind: &KindData, of: fn(&FamilyData) -> &Routine) -> Routine {
         worst: largest(|r| r.worst),
         lost: all().map(|r| r.lost).sum(),
         wrong: all().map(|r| r.wrong).sum(),
-        hit_ns: ordinary.hit_ns,
-        miss_ns: ordinary.miss_ns,
+        ..*ordinary
     }
 }
 
@@ -86,7 +78,7 @@ fn advice(all: &[Summary<'_>]) -> String {
     let failed: usize = all.iter().map(|s| s.ours.failures()).sum();
     let worst = all.iter().filter_map(|s| s.ours.worst).reduce(f64::max);
     let error = rough_or_dash(worst);
-    let ours = match failed == 0 && worst.is_some_and(|worst| worst <= ALLOWED) {
+    let ours = match is_safe(failed, worst) {
         true => format!(
             "The library's routine, except for ordinary rays: of {judged} rays it had no lost and no \
              wrong hit, and its worst error is {error} u·cond."
@@ -100,18 +92,18 @@ fn advice(all: &[Summary<'_>]) -> String {
     let costs: Vec<f64> =
         all.iter().filter_map(|s| Some(s.ours.hit_ns? / s.textbook.hit_ns?)).collect();
     let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| rough_or_dash(quantile(&costs, share)));
-    let is_safe = |s: &&Summary<'_>| {
-        s.textbook.failures() == 0 && s.textbook.worst.is_some_and(|worst| worst <= ALLOWED)
-    };
-    let safe: Vec<String> = all.iter().filter(is_safe).map(|s| words(&s.kind.kind)).collect();
-    let safe = match &safe[..] {
-        [] => "On no shape is the textbook's formula as safe.".to_owned(),
-        safe => format!("The textbook's formula is as safe for: {}.", listed(safe)),
-    };
+    let safe = all.iter().filter(|s| is_safe(s.textbook.failures(), s.textbook.worst));
+    let safe = safe.map(|s| words(&s.kind.kind));
+    let safe = listed_in("The textbook's formula is as safe for: ", safe, ".")
+        .unwrap_or_else(|| "On no shape is the textbook's formula as safe.".to_owned());
     format!(
         "{ours} The textbook's had {failed} lost or wrong hits. An ordinary hit takes {middle} times \
          the textbook's time in the median, {least} to {most}. {safe}"
     )
+}
+
+fn is_safe(failures: usize, worst: Option<f64>) -> bool {
+    failures == 0 && worst.is_some_and(|worst| worst <= ALLOWED)
 }
 
 /// The table with the columns of a routine.
@@ -190,13 +182,11 @@ fn failures(n: usize) -> Node {
 
 fn plot(all: &[Summary<'_>]) -> Plot<'static> {
     let series = |name: &str, of: for<'s> fn(&'s Summary<'_>) -> &'s Routine| {
-        let (points, labels) = all
-            .iter()
-            .filter_map(|summary| {
-                let error = of(summary).p999?.max(MIN_DRAWN);
-                Some(((of(summary).hit_ns?, error), summary.number.to_string()))
-            })
-            .unzip();
+        let point = |summary| {
+            let error = of(summary).p999?.max(MIN_DRAWN);
+            Some(((of(summary).hit_ns?, error), summary.number.to_string()))
+        };
+        let (points, labels) = all.iter().filter_map(point).unzip();
         Series { name: name.to_owned(), points, labels, ..Series::default() }
     };
     Plot {

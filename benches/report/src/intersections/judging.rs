@@ -137,34 +137,26 @@ impl Judged {
     pub fn new(subject: TestedShape, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
-        let (mut refused, mut judged, mut hit_count) = (0, 0, 0);
+        let mut data = FamilyData { family: format!("{family:?}"), ..FamilyData::default() };
         for question in subject.questions(family, seed, count) {
             let Some(Question { case, exact, condition }) = question else {
-                refused += 1;
+                data.refused += 1;
                 continue;
             };
             if !is_decided(&exact, condition) {
                 continue;
             }
-            judged += 1;
+            data.judged += 1;
             let found = case.ours.hit(&case.ray, case.span).map(|found| found.t);
             ours.add(found, case.span, &exact);
             book.add(case.textbook_hit(), case.span, &exact);
-            hit_count += usize::from(!exact.roots.is_empty());
+            data.hits += usize::from(!exact.roots.is_empty());
             let timed = if exact.roots.is_empty() { &mut misses } else { &mut hits };
             if timed.len() < subject.timed() {
                 timed.push(case);
             }
         }
-        let data = FamilyData {
-            family: format!("{family:?}"),
-            refused,
-            judged,
-            hits: hit_count,
-            ours: ours.routine(),
-            textbook: book.routine(),
-            disturbed: false,
-        };
+        (data.ours, data.textbook) = (ours.routine(), book.routine());
         Self { data, hits, misses }
     }
 }
@@ -173,8 +165,7 @@ impl Judged {
 #[derive(Default)]
 struct Tally {
     errors: Vec<f64>,
-    lost: usize,
-    wrong: usize,
+    failures: Routine,
 }
 
 impl Tally {
@@ -183,15 +174,15 @@ impl Tally {
         match (found, answer.roots.first()) {
             (None, None) => {}
             // the surface on which the ray starts
-            (Some(t), _) if t <= span.min => self.wrong += 1,
-            (Some(_), None) => self.wrong += 1,
-            (None, Some(_)) => self.lost += 1,
+            (Some(t), _) if t <= span.min => self.failures.wrong += 1,
+            (Some(_), None) => self.failures.wrong += 1,
+            (None, Some(_)) => self.failures.lost += 1,
             (Some(t), Some(first)) => {
                 let error = t_error(first, t);
                 let off = first.t_error(t);
                 let is_later = answer.roots[1..].iter().any(|root| root.t_error(t) < off);
                 if !t.is_finite() || (is_later && error > ALLOWED) {
-                    self.lost += 1;
+                    self.failures.lost += 1;
                 } else {
                     self.errors.push(error);
                 }
@@ -199,16 +190,8 @@ impl Tally {
         }
     }
 
-    fn routine(&self) -> Routine {
-        let at = |share| quantile(&self.errors, share);
-        Routine {
-            median: at(0.5),
-            p999: at(0.999),
-            worst: at(1.0),
-            lost: self.lost,
-            wrong: self.wrong,
-            hit_ns: None,
-            miss_ns: None,
-        }
+    fn routine(self) -> Routine {
+        let [median, p999, worst] = [0.5, 0.999, 1.0].map(|share| quantile(&self.errors, share));
+        Routine { median, p999, worst, ..self.failures }
     }
 }

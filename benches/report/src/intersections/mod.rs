@@ -43,7 +43,7 @@ struct KindData {
 }
 
 /// One kind of shape on one family of hard cases.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct FamilyData {
     /// Its name.
     family: String,
@@ -62,7 +62,7 @@ struct FamilyData {
 }
 
 /// The errors and times of one routine.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct Routine {
     /// The median error of the distance, in units of u · cond.
     median: Option<f64>,

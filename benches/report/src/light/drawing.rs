@@ -105,14 +105,14 @@ fn advice(data: &Data) -> String {
         let other = records.iter().filter(of_tracer).min_by(by_mean)?;
         Some(format!("{} {} times", words(other.choice), rough(other.mean())))
     });
-    let others = listed(&others.collect::<Vec<String>>());
+    let others = listed(others);
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
         let all = data.scenes.iter().flat_map(|scene| &scene.choices);
         let biases = all.filter(|c| c.kind.tracer == tracer).filter_map(|c| c.kind.bias.difference);
         let largest = biases.map(|[bias, ..]| bias.abs()).reduce(f64::max)?;
         Some(format!("{} % with {tracer}", rough(100.0 * largest)))
     });
-    let missed = listed(&missed.collect::<Vec<String>>());
+    let missed = listed(missed);
     format!(
         "Choose {}: for the same noise, its time is the shortest of all choices without bias, or at most \
          {AS_GOOD} times the shortest, in {} of {} scenes; {} times the shortest in the geometric mean and \
@@ -195,26 +195,18 @@ fn advice_here(scene: &SceneData) -> String {
     let Some((best, others)) = unbiased.split_first() else { return String::new() };
     let (as_good, slower): (Vec<&Choice>, Vec<&Choice>) =
         others.iter().partition(|choice| ratio(choice) <= AS_GOOD);
-    let as_good: Vec<String> = as_good.iter().map(|choice| choice.name.clone()).collect();
-    let slower: Vec<String> =
-        slower.iter().map(|c| format!("{} takes {} times", c.name, rough(ratio(c)))).collect();
-    let slower = match slower.len() {
-        0 => String::new(),
-        _ => format!("; for the same noise {} its time", listed(&slower)),
-    };
+    let as_good = or_as_good(as_good.iter().map(|choice| &choice.name));
+    let slower = slower.iter().map(|c| format!("{} takes {} times", c.name, rough(ratio(c))));
+    let slower = listed_in("; for the same noise ", slower, " its time").unwrap_or_default();
     let darker = |choice: &Choice| {
         let [bias, ..] = choice.kind.bias.difference?;
         let word = if bias < 0.0 { "too dark" } else { "too bright" };
         Some(format!("{} {} % {word}", choice.name, rough(100.0 * bias.abs())))
     };
     // both samplings of area lights have the same mean
-    let biased: Vec<String> =
-        drawn(scene).filter(|c| !c.kind.unbiased).filter_map(darker).collect();
-    let biased = match biased.len() {
-        0 => String::new(),
-        _ => format!("; in the mean, {}", listed(&biased)),
-    };
-    format!("the best is {}{}{slower}{biased}.", best.name, or_as_good(&as_good))
+    let biased = drawn(scene).filter(|c| !c.kind.unbiased).filter_map(darker);
+    let biased = listed_in("; in the mean, ", biased, "").unwrap_or_default();
+    format!("the best is {}{as_good}{slower}{biased}.", best.name)
 }
 
 /// The choices in the plots, which have at most five series: all but area sampling.

@@ -14,8 +14,15 @@ const AS_GOOD: f64 = 1.2;
 const BOOKS: [&str; 5] = ["random", "regular", "jittered", "n rooks", "multi jittered"];
 
 pub fn page(data: &Data) -> Element {
+    let explanation = format!(
+        include_str!("explanation.txt"),
+        pixels = data.pixels,
+        seeds = data.seeds,
+        from = FITTED_FROM,
+        confidence = 100.0 * CONFIDENCE
+    );
     several()
-        .with(explanation(data))
+        .with(prose(&explanation))
         .with(summary(data))
         .with_all(data.integrands.iter().map(section))
 }
@@ -34,18 +41,6 @@ fn section(data: &IntegrandData) -> Element {
         .with(pick("What to pick.", advice(data) + &smallest(data)))
         .with(group("pictures").with_all(plots))
         .with(details(data))
-}
-
-fn explanation(data: &Data) -> Element {
-    let (from, confidence) = (FITTED_FROM, 100.0 * CONFIDENCE);
-    let (pixels, seeds) = (data.pixels, data.seeds);
-    prose(&format!(
-        include_str!("explanation.txt"),
-        pixels = pixels,
-        seeds = seeds,
-        from = from,
-        confidence = confidence
-    ))
 }
 
 /// The table of the samples for an error of 1 %.
@@ -93,7 +88,7 @@ fn advice(data: &IntegrandData) -> String {
         });
     };
     let as_good = known[1..].iter().filter(|(_, samples)| *samples <= AS_GOOD * fewest);
-    let as_good: Vec<String> = as_good.map(|(s, _)| s.sampler.clone()).collect();
+    let as_good = or_as_good(as_good.map(|(s, _)| &s.sampler));
     let random = match known.iter().find(|(s, _)| s.sampler == "random") {
         Some((_, samples)) => format!("random samples need {}", rough(*samples)),
         None => "random samples do not reach it".to_owned(),
@@ -106,12 +101,8 @@ fn advice(data: &IntegrandData) -> String {
         ),
         _ => String::new(),
     };
-    format!(
-        "{}{}: {} samples make the error 1 %; {random}{fixed}.",
-        capital(&best.sampler),
-        or_as_good(&as_good),
-        rough(fewest)
-    )
+    let (best, fewest) = (capital(&best.sampler), rough(fewest));
+    format!("{best}{as_good}: {fewest} samples make the error 1 %; {random}{fixed}.")
 }
 
 /// One sentence: the sampler with the smallest error for each of a few numbers of samples; without fixed ones.

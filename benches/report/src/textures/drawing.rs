@@ -35,7 +35,7 @@ fn advice(data: &Data) -> String {
     let slopes = data.scenes.iter().flat_map(|scene| &scene.choices).filter_map(|c| c.slope);
     let steepest = slopes.clone().map(|[slope, ..]| slope).fold(f64::INFINITY, f64::min);
     let flattest = slopes.map(|[slope, ..]| slope).fold(f64::NEG_INFINITY, f64::max);
-    let words = listed(&words.collect::<Vec<String>>());
+    let words = listed(words);
     format!(
         "Choose the look-up by the appearance of texels in close-up, squares or a blur, and reduce moiré \
          patterns by more samples. With the same number of samples, bilinear look-up has {words}; the \
