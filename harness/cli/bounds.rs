@@ -32,9 +32,9 @@ impl Bounds {
         if end == "ply" || end == "obj" {
             let (scene, world) = framing::scene_of_mesh(path)?;
             let mut text = String::new();
+            let name = printable::name(&self.scene);
             for object in world.objects() {
-                let bounds = words(&object.shape.bounds());
-                writeln!(text, "# {}: {bounds}", printable::name(&self.scene))?;
+                writeln!(text, "# {name}: {}", words(&object.shape.bounds()))?;
             }
             return print(&(text + "\n" + &scenefile::to_toml(&scene)?));
         }

@@ -11,7 +11,7 @@ use judge::exercise::{self, Difficulty, Task};
 
 use super::numbers::whole;
 use super::program::fresh_seed;
-use super::{Outcome, mistakes, print, progress};
+use super::{Outcome, mistakes, output, print, progress};
 
 #[derive(Args)]
 pub struct Exercise {
@@ -73,13 +73,10 @@ impl Exercise {
             level_name.get_name(),
             self.width
         );
-        let mut files = vec![
-            (PathBuf::from("class/sheet.html"), exercise::sheet(chapter, level, &tasks).into()),
-            (
-                PathBuf::from("teacher/key.html"),
-                exercise::key(chapter, &command, &tasks)?.into_bytes(),
-            ),
-        ];
+        let sheet = exercise::sheet(chapter, level, &tasks).into_bytes();
+        let key = exercise::key(chapter, &command, &tasks)?.into_bytes();
+        let mut files: Vec<File> =
+            vec![("class/sheet.html".into(), sheet), ("teacher/key.html".into(), key)];
         for (number, task) in (1..).zip(&tasks) {
             files.extend(of_task(number, task)?);
         }
@@ -102,19 +99,15 @@ impl Exercise {
         if !self.output.exists() {
             return Ok(());
         }
-        let mut entries =
-            fs::read_dir(&self.output).map_err(|error| format!("{folder}: {error}"))?;
-        match entries.next() {
-            None => Ok(()),
-            Some(_) => Err(format!("{folder}: the folder is not empty; name a new one")),
+        match fs::read_dir(&self.output).map(|mut entries| entries.next()) {
+            Err(error) => Err(format!("{folder}: {error}")),
+            Ok(None) => Ok(()),
+            Ok(Some(_)) => Err(format!("{folder}: the folder is not empty; name a new one")),
         }
     }
 
     /// Writes all files or none.
     fn write(&self, files: &[File]) -> Result<(), Box<dyn Error>> {
-        let refused = |error: std::io::Error| {
-            format!("{}: cannot be written: {error}", self.output.display())
-        };
         let is_new = !self.output.exists();
         let made = self.write_in_folders(files);
         if made.is_err() {
@@ -124,7 +117,7 @@ impl Exercise {
                 let _ = fs::remove_dir(self.output.join(folder));
             }
         }
-        Ok(made.map_err(refused)?)
+        made.map_err(|error| output::unwritable(&self.output, error))
     }
 
     fn write_in_folders(&self, files: &[File]) -> std::io::Result<()> {
@@ -145,11 +138,9 @@ fn of_task(number: usize, task: &Task) -> Result<[File; 2], Box<dyn Error>> {
     let made =
         pictures::provenance((gallery::find(task.name), scene), (scene, &world), Path::new(""))?;
     let picture = film::encode(&task.pictures.wrong, &scene.image.tone(), Format::Png, &made)?;
+    let text = scenefile::to_toml(scene)?.into_bytes();
     Ok([
-        (PathBuf::from(format!("class/{number}.png")), picture),
-        (
-            PathBuf::from(format!("class/scenes/{number}.toml")),
-            scenefile::to_toml(scene)?.into_bytes(),
-        ),
+        (format!("class/{number}.png").into(), picture),
+        (format!("class/scenes/{number}.toml").into(), text),
     ])
 }

@@ -54,11 +54,10 @@ impl LayerArguments {
             None if self.layers => Ok(Content::All(LayerFilms::new(crop))),
             None => Ok(Content::Picture),
             Some(_) if format == Format::Pfm => refused(layers::NO_FILE),
-            Some(name) => {
-                let layer =
-                    Layer::named(name, world).map_err(|why| format!("--layer {name}: {why}"))?;
-                Ok(Content::One(layer))
-            }
+            Some(name) => match Layer::named(name, world) {
+                Ok(layer) => Ok(Content::One(layer)),
+                Err(why) => Err(format!("--layer {name}: {why}").into()),
+            },
         }
     }
 }
@@ -77,9 +76,7 @@ impl Content {
         match self {
             Self::Picture => canvas.render(renderer),
             Self::All(films) => films.render(renderer, canvas),
-            Self::One(layer) => {
-                canvas.fill(|pixel| layer.to_film(layer.value(renderer, pixel)));
-            }
+            Self::One(layer) => canvas.fill(|pixel| layer.to_film(layer.value(renderer, pixel))),
         }
     }
 
@@ -117,7 +114,7 @@ impl Content {
             let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
             return Some(format!("{text}: channels {}{unit}", layer.channels().join(", ")));
         }
-        let colors = colors(layer, film, (scene, world));
+        let colors = Colors::of(layer, values(layer, film).flatten(), world, scene.image.tone());
         let rows = colors.legend(layer, values(layer, film));
         if rows.is_empty() {
             text += &format!(", shown as the picture is: {}", scene.image.tone());
@@ -136,10 +133,6 @@ impl Content {
             Self::One(layer) => Some(format!("layer {layer}")),
         }
     }
-}
-
-fn colors(layer: &Layer, film: &Film, (scene, world): (&Scene, &World)) -> Colors {
-    Colors::of(layer, values(layer, film).flatten(), world, scene.image.tone())
 }
 
 /// A line of a legend, with a patch of its colour on a terminal.

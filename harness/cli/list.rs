@@ -50,13 +50,10 @@ fn nothing(words: &[String]) -> String {
         let number = word.strip_prefix("ch");
         number.is_some_and(|number| number.parse::<u32>().is_ok())
     };
-    match words.iter().filter(is_chapter).find(|word| gallery::search([word.as_str()]).is_empty()) {
-        Some(unknown) => no_chapter(unknown),
-        None => format!("no scene has `{}` in its name and description", words.join(" ")),
-    }
-}
-
-fn no_chapter(chapter: &str) -> String {
+    let mut unknown = words.iter().filter(is_chapter);
+    let Some(chapter) = unknown.find(|word| gallery::search([word.as_str()]).is_empty()) else {
+        return format!("no scene has `{}` in its name and description", words.join(" "));
+    };
     let mut chapters: Vec<&str> = gallery::scenes()
         .filter_map(|entry| entry.name.split_once('/'))
         .map(|(chapter, _)| chapter)

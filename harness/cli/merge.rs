@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
-use pictures::sums::{self, Contradiction, MergeError, Merged, Sums};
+use pictures::sums::{self, MergeError, Merged, Sums};
 use text::shell::quoted;
 use text::told::Told;
 
@@ -35,10 +35,9 @@ fn linear_format(name: &str) -> Result<Format, String> {
 
 impl Merge {
     pub fn run(&self) -> Outcome {
-        let files = || self.standard_error.iter().chain([&self.output]);
-        output::once(files(), "output")?;
-        output::check_distinct(files(), &self.files)?;
-        for file in files() {
+        output::once(self.outputs(), "output")?;
+        output::check_distinct(self.outputs(), &self.files)?;
+        for file in self.outputs() {
             if !is_sums(file) {
                 self.format_of(file)?;
             }
@@ -50,12 +49,19 @@ impl Merge {
         bar.finish_and_clear();
         let merged = match merged {
             Ok(merged) => merged,
-            Err(MergeError::Contradiction(found)) => return Ok(refused(&found)),
+            Err(MergeError::Contradiction(found)) => {
+                eprintln!("error: {found}");
+                return Ok(Exit::No);
+            }
             Err(error) => return Err(error.into()),
         };
         self.report(&merged)?;
         self.write(&merged.sums)?;
         Ok(if merged.missing().is_empty() { Exit::Yes } else { Exit::No })
+    }
+
+    fn outputs(&self) -> impl Iterator<Item = &Path> {
+        self.standard_error.iter().chain([&self.output]).map(PathBuf::as_path)
     }
 
     /// Prints what is there, and what is missing.
@@ -66,14 +72,11 @@ impl Merge {
         }
         let mut wrong = merged.sums.not_finite();
         if let Some([x, y]) = wrong.next() {
-            let count = 1 + wrong.count();
-            eprintln!(
-                "note: {count} pixels have values that are NaN or infinite, the first at {x}, {y}"
-            );
+            let (count, what) = (1 + wrong.count(), "values that are NaN or infinite");
+            eprintln!("note: {count} pixels have {what}, the first at {x}, {y}");
         }
-        let to_output =
-            self.standard_error.iter().chain([&self.output]).find(|it| output::is_standard(it));
-        output::say(&self.told(merged).text(), to_output.map(PathBuf::as_path))
+        let to_output = self.outputs().find(|it| output::is_standard(it));
+        output::say(&self.told(merged).text(), to_output)
     }
 
     /// What is told of a sum.
@@ -112,20 +115,15 @@ impl Merge {
             let film =
                 sums.standard_error().ok_or("--standard-error needs at least two replicas")?;
             let made = Provenance { part: Some("standard error".to_owned()), ..made.clone() };
-            self.write_picture(&film, &made, file)?;
+            self.write_to(file, &film, &made)?;
         }
         match is_sums(&self.output) {
             true => Ok(sums.write(&self.output)?),
-            false => self.write_picture(&sums.mean(), &made, &self.output),
+            false => self.write_to(&self.output, &sums.mean(), &made),
         }
     }
 
-    fn write_picture(
-        &self,
-        film: &Film,
-        made: &Provenance,
-        file: &Path,
-    ) -> Result<(), Box<dyn Error>> {
+    fn write_to(&self, file: &Path, film: &Film, made: &Provenance) -> Result<(), Box<dyn Error>> {
         // the tone is not used: both formats keep linear radiance
         output::write(file, &film::encode(film, &Tone::PLAIN, self.format_of(file)?, made)?)
     }
@@ -139,11 +137,6 @@ impl Merge {
             false => format!("{}: end the name with .exr or .pfm", file.display()),
         })
     }
-}
-
-fn refused(found: &Contradiction) -> Exit {
-    eprintln!("error: {found}");
-    Exit::No
 }
 
 fn is_sums(file: &Path) -> bool {

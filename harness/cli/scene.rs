@@ -63,9 +63,8 @@ impl SceneArguments {
         })?;
         let (asked, used) = (scene.image.samples, world.samples_per_pixel());
         if asked != used {
-            eprintln!(
-                "note: {asked} samples rounded up to {used}, which the sampler's pattern needs"
-            );
+            let why = "which the sampler's pattern needs";
+            eprintln!("note: {asked} samples rounded up to {used}, {why}");
         }
         Ok((scene, world))
     }
@@ -77,15 +76,14 @@ impl SceneArguments {
     pub fn load_fitted(
         &self,
         size: [u32; 2],
-        samples: Option<u32>,
-        sampler: Option<&samplers::Kind>,
+        (samples, sampler): (Option<u32>, Option<&samplers::Kind>),
     ) -> Result<(Scene, World), Box<dyn Error>> {
         if self.size.is_some() {
             return Err("--size: the size is that of the picture; leave it out".into());
         }
         let opened = OpenedScene::of(&self.scene)?;
         let mut scene = opened.scene.clone();
-        let [width, height] = [scene.image.width, scene.image.height];
+        let (width, height) = (scene.image.width, scene.image.height);
         if !compare::fit(&mut scene, size)? {
             let [columns, rows] = size;
             return Err(format!(
@@ -96,12 +94,8 @@ impl SceneArguments {
             .into());
         }
         self.change(&mut scene)?;
-        if let Some(samples) = samples {
-            scene.image.samples = samples;
-        }
-        if let Some(sampler) = sampler {
-            scene.image.sampler = Some(sampler.clone());
-        }
+        scene.image.samples = samples.unwrap_or(scene.image.samples);
+        scene.image.sampler = sampler.cloned().or(scene.image.sampler);
         let world = opened.world(&scene, self.seed)?;
         Ok((scene, world))
     }
@@ -143,9 +137,7 @@ impl SceneArguments {
 
     /// Changes a scene as the arguments say, but for its size.
     fn change(&self, scene: &mut Scene) -> Result<(), String> {
-        if let Some(samples) = self.samples {
-            scene.image.samples = samples;
-        }
+        scene.image.samples = self.samples.unwrap_or(scene.image.samples);
         if let Some(name) = &self.sampler {
             scene.image.sampler = Some(sampler(name)?);
         }

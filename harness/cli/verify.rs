@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use clap::Args;
 use exchange::export::Term;
@@ -12,7 +11,7 @@ use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::{
-    self, Answer, Case, Decision, DifferingRegion, Reference, Strictness, Verdict,
+    self, Answer, Case, Decision, DifferingRegion, RayTolerance, Reference, Strictness, Verdict,
 };
 use pictures::compare::{Picture, Transfer};
 use pictures::sums::Sums;
@@ -23,7 +22,7 @@ use super::compare::is_scene;
 use super::numbers::{number, whole};
 use super::scene::SceneArguments;
 use super::watch::Watch;
-use super::witness::{By, WitnessRequest, Witnessed};
+use super::witness::{By, Witnessed};
 use super::{Exit, Outcome, announce, mistakes, output, replicas, sets};
 
 #[derive(Args)]
@@ -41,18 +40,18 @@ pub struct Verify {
     by: Option<By>,
     /// The program of that renderer; by default it is looked for on the path. For Mitsuba: a Python that has it
     #[arg(long, value_name = "FILE", requires = "by")]
-    program: Option<PathBuf>,
+    pub(super) program: Option<PathBuf>,
     /// The seconds that one picture of that renderer may take
     #[arg(long, value_name = "SECONDS", default_value_t = 3600, requires = "by", value_parser = whole::<u32>(1..=31_536_000))]
-    time_limit: u32,
+    pub(super) time_limit: u32,
     /// Terms that both sides leave out, with commas: phong (the highlights), ambient, absorption (of media), scaling
     /// (the 1/η² of refracted radiance), smooth (interpolated normals), or unshadowed (light that passes through objects:
     /// they block it)
     #[arg(long, value_name = "TERMS", value_delimiter = ',', requires = "by")]
-    without: Vec<Term>,
+    pub(super) without: Vec<Term>,
     /// The samples per pixel of their picture: ours take as many
     #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
-    their_samples: Option<u32>,
+    pub(super) their_samples: Option<u32>,
     /// How the samples of their picture are spread, if they are alike in all pixels or ours are to be like them: regular
     /// (one sample: the centre of the pixel), hammersley, random, jittered, n_rooks, multi_jittered,
     /// correlated_multi_jittered or sobol. Ours are spread so, on lenses and lamps too
@@ -120,7 +119,12 @@ impl Verify {
             return self.sets();
         }
         let arguments = self.scene.as_ref().expect("only --scenes and --before go without a scene");
-        let Some(witnessed) = self.witnessed(arguments)? else { return Ok(Exit::Unanswered) };
+        let target = self.by.map(By::target);
+        let witnessed = match target {
+            Some(target) => self.rendered_by(target, arguments)?,
+            None => Some(self.given(arguments)?),
+        };
+        let Some(witnessed) = witnessed else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
         output::check_distinct(&self.output, &arguments.files_of(&scene))?;
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
@@ -138,7 +142,10 @@ impl Verify {
             strictness,
             transfer: pictures[0].stated,
             reference: reference.as_ref(),
-            tolerance: self.by.map_or(verdict::RayTolerance::DOUBLE, By::edge),
+            tolerance: match target.is_some_and(|target| target.language().is_single) {
+                true => RayTolerance::SINGLE,
+                false => RayTolerance::DOUBLE,
+            },
             ..Case::new(&scene, arguments.files_folder(), seed)
         };
         let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
@@ -159,15 +166,6 @@ impl Verify {
         let page = || verdict::page(&verdict, &about, &told);
         output::tell(&told, &verdict, self.json, (self.output.as_deref(), &page))?;
         Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
-    }
-
-    /// The pictures to be judged, rendered by another program or read; `None` if the scene cannot be exported.
-    fn witnessed(&self, arguments: &SceneArguments) -> Result<Option<Witnessed>, Box<dyn Error>> {
-        let Some(by) = self.by else { return Ok(Some(self.given(arguments)?)) };
-        let (program, without) = (self.program.clone(), &self.without);
-        let limit = Duration::from_secs(self.time_limit.into());
-        WitnessRequest { by, program, without, samples: self.their_samples, limit }
-            .render(arguments)
     }
 
     /// The mean that pictures are held against, if there is one.
@@ -199,11 +197,8 @@ impl Verify {
     /// The pictures that were given, and the scene at their size.
     fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
         let pictures = self.pictures()?;
-        let (scene, world) = arguments.load_fitted(
-            pictures[0].size,
-            self.their_samples,
-            self.their_sampler.as_ref(),
-        )?;
+        let sampling = (self.their_samples, self.their_sampler.as_ref());
+        let (scene, world) = arguments.load_fitted(pictures[0].size, sampling)?;
         let (words, explained_with) = (String::new(), String::new());
         Ok(Witnessed { scene, world, pictures, words, explained_with })
     }

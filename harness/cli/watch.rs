@@ -106,17 +106,13 @@ impl Watch {
 
     /// Whether the picture was finished.
     pub fn render(&self, world: &World, canvas: &Canvas) -> bool {
-        self.work(canvas, || canvas.render(world))
-    }
-
-    /// Whether such work on a canvas was finished.
-    pub fn work(&self, canvas: &Canvas, work: impl FnOnce() + Send) -> bool {
-        render::watched(work, || {
+        let look = || {
             if self.is_interrupted() {
                 canvas.cancel();
             }
             self.bar.tick();
-        });
+        };
+        render::watched(|| canvas.render(world), look);
         self.bar.inc(1);
         !canvas.is_cancelled()
     }

@@ -1,7 +1,7 @@
 //! `verify --by`: another renderer renders our scene, and its picture is judged.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
 use clap::ValueEnum;
@@ -10,10 +10,10 @@ use groundtruth::filters;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::RayTolerance;
 use pictures::compare::Picture;
 
 use super::scene::SceneArguments;
+use super::verify::Verify;
 
 /// A renderer that can be asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -22,19 +22,6 @@ pub enum By {
     Pov,
     /// Mitsuba 3, a module of Python
     Mitsuba,
-}
-
-/// What the user asks of another renderer.
-pub struct WitnessRequest<'a> {
-    pub by: By,
-    /// Its program.
-    pub program: Option<PathBuf>,
-    /// What both sides leave out.
-    pub without: &'a [Term],
-    /// The samples per pixel of scenes with random numbers.
-    pub samples: Option<u32>,
-    /// The time that a run of the program may take.
-    pub limit: Duration,
 }
 
 /// A scene, as both sides render it, and the pictures of the other side.
@@ -52,11 +39,6 @@ pub struct Witnessed {
 const SAMPLES: u32 = 64;
 
 impl By {
-    /// How far its rays may be from ours.
-    pub fn edge(self) -> RayTolerance {
-        if self.target().language().is_single { RayTolerance::SINGLE } else { RayTolerance::DOUBLE }
-    }
-
     pub fn target(self) -> Target {
         match self {
             Self::Pov => Target::Pov,
@@ -65,51 +47,49 @@ impl By {
     }
 }
 
-impl WitnessRequest<'_> {
+impl Verify {
     /// Renders the scene of these arguments with the other renderer; `None` if the scene cannot be said, which is printed.
     ///
     /// # Errors
     /// The scene cannot be built, or the program is missing or fails.
-    pub fn render(self, arguments: &SceneArguments) -> Result<Option<Witnessed>, Box<dyn Error>> {
-        let (scene, _) = arguments.load()?;
-        let mut scene = scene;
+    pub(super) fn rendered_by(
+        &self,
+        target: Target,
+        arguments: &SceneArguments,
+    ) -> Result<Option<Witnessed>, Box<dyn Error>> {
+        let (mut scene, _) = arguments.load()?;
         self.without.iter().for_each(|term| term.remove(&mut scene));
-        let is_noiseless = (self.by.target().language().is_noiseless)(&scene);
-        if is_noiseless && self.samples.is_some() {
+        let is_noiseless = (target.language().is_noiseless)(&scene);
+        if is_noiseless && self.their_samples.is_some() {
             return Err("--their-samples: this scene has no random numbers; leave it out".into());
         }
-        let samples = if is_noiseless { 1 } else { self.samples.unwrap_or(SAMPLES) };
+        let samples = if is_noiseless { 1 } else { self.their_samples.unwrap_or(SAMPLES) };
         let mut scene = sampled(scene, samples);
         let folder = arguments.files_folder();
         let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed);
-        let target = self.by.target();
         let said = |scene: &Scene| said(target, (arguments.name(), "scene"), scene, folder);
         // before our picture is rendered
         if said(&scene).is_none() {
             return Ok(None);
         }
-        let program = Renderer::find(target, self.program)?;
+        let program = Renderer::find(target, self.program.clone())?;
         let exposure = if is_noiseless { exposure(&render::render(&build(&scene)?)) } else { 1.0 };
         scene.camera.exposure_time *= exposure;
         let Some(text) = said(&scene) else { return Ok(None) };
         let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
         scene.image.samples = world.samples_per_pixel();
-        let at = tempfile::tempdir()?;
-        let mut picture = program.render(&text, size, at.path(), self.limit)?;
+        let (at, limit) = (tempfile::tempdir()?, Duration::from_secs(self.time_limit.into()));
+        let mut picture = program.render(&text, size, at.path(), limit)?;
         let [width, height] = size;
         let rays = if is_noiseless {
             picture = picture.in_16_bits();
-            format!(
-                "one ray through the centre of each, every pixel times {exposure} on both sides"
-            )
+            let rays = "one ray through the centre of each";
+            format!("{rays}, every pixel times {exposure} on both sides")
         } else {
             format!("{samples} samples in each")
         };
-        let words = format!(
-            "by {}: {width} × {height} pixels, {rays}{}\n",
-            program.version(),
-            left_out(self.without)
-        );
+        let (version, without) = (program.version(), left_out(&self.without));
+        let words = format!("by {version}: {width} × {height} pixels, {rays}{without}\n");
         let explained_with = format!(" --samples {samples}");
         Ok(Some(Witnessed { scene, world, pictures: vec![picture], words, explained_with }))
     }

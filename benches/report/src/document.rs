@@ -10,26 +10,28 @@ use text::html::page;
 
 const STYLE: &str = include_str!("style.css");
 
-/// The whole page.
-pub(super) fn html(report: &Report) -> String {
-    let pages = || report.chapters.iter();
-    let link = |(page, _): &(Page, Findings)| {
-        let link = element("a").attribute("href", format!("#{}", page.name)).with(page.title);
-        several().with(link).with(format!(": {}", page.question))
-    };
-    let section = |(page, findings): &(Page, Findings)| {
-        element("section")
-            .attribute("id", page.name)
-            .with(heading(2, page.title))
-            .with(paragraph(page.question).class("question"))
-            .with(findings.section.clone())
-    };
-    let body = several()
-        .with(heading(1, "Choose by evidence"))
-        .with(group("about").with(measured(&report.provenance, report.settings.seed)))
-        .with(list(pages().map(link)))
-        .with_all(pages().map(section));
-    page("Groundtruth: report", &[STYLE], &body.html())
+impl Report {
+    /// The HTML page; it is self-contained.
+    pub fn html(&self) -> String {
+        let pages = || self.chapters.iter();
+        let link = |(page, _): &(Page, Findings)| {
+            let link = element("a").attribute("href", format!("#{}", page.name)).with(page.title);
+            several().with(link).with(format!(": {}", page.question))
+        };
+        let section = |(page, findings): &(Page, Findings)| {
+            element("section")
+                .attribute("id", page.name)
+                .with(heading(2, page.title))
+                .with(paragraph(page.question).class("question"))
+                .with(findings.section.clone())
+        };
+        let body = several()
+            .with(heading(1, "Choose by evidence"))
+            .with(group("about").with(measured(&self.provenance, self.settings.seed)))
+            .with(list(pages().map(link)))
+            .with_all(pages().map(section));
+        page("Groundtruth: report", &[STYLE], &body.html())
+    }
 }
 
 fn measured(made: &Provenance, seed: u64) -> Element {

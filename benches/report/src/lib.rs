@@ -81,11 +81,6 @@ fn remove(data: &mut Value, names: &[&str]) {
 pub const PAGES: &[Page] =
     &[intersections::PAGE, acceleration::PAGE, samplers::PAGE, light::PAGE, textures::PAGE];
 
-/// The page of this name.
-pub fn page(name: &str) -> Option<Page> {
-    PAGES.iter().copied().find(|page| page.name == name)
-}
-
 /// The extent of the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -168,10 +163,5 @@ impl Report {
             "pages": pages,
         });
         format!("{whole:#}\n")
-    }
-
-    /// The HTML page; it is self-contained.
-    pub fn html(&self) -> String {
-        document::html(self)
     }
 }
