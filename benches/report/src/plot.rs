@@ -121,7 +121,7 @@ impl Plot<'_> {
         }
         chart
             .configure_series_labels()
-            .position(emptiest_corner(&points, [x0, x1], [y0, y1], self.series.len()))
+            .position(emptiest_corner(&points, ([x0, x1], [y0, y1]), self.series.len()))
             .background_style(WHITE.mix(0.85))
             .border_style(GRID)
             .label_font((FONT, 13))
@@ -194,15 +194,10 @@ impl Mark {
         const SQUARE: &[(i32, i32)] = &[(-4, -4), (4, -4), (4, 4), (-4, 4), (-4, -4)];
         const TRIANGLE: &[(i32, i32)] = &[(0, -5), (5, 4), (-5, 4), (0, -5)];
         const DIAMOND: &[(i32, i32)] = &[(0, -6), (5, 0), (0, 6), (-5, 0), (0, -6)];
-        let (outline, filled) = match index % 5 {
-            0 => (DISK, true),
-            1 => (SQUARE, false),
-            2 => (TRIANGLE, true),
-            3 => (DIAMOND, false),
-            _ => (DISK, false),
-        };
-        let color = COLORS[index % COLORS.len()];
-        Self { outline, color, fill: if filled { color } else { WHITE } }
+        let color = COLORS[index % 5];
+        let outline = [DISK, SQUARE, TRIANGLE, DIAMOND, DISK][index % 5];
+        let is_filled = [true, false, true, false, false][index % 5];
+        Self { outline, color, fill: if is_filled { color } else { WHITE } }
     }
 
     /// The marker at a point, moved to the right by this number of pixels.
@@ -249,8 +244,7 @@ fn axis_fraction(value: f64, [low, high]: [f64; 2]) -> f64 {
 /// The corner with the fewest points, for a legend of `lines` lines.
 fn emptiest_corner(
     points: &[(f64, f64)],
-    x_range: [f64; 2],
-    y_range: [f64; 2],
+    (x_range, y_range): ([f64; 2], [f64; 2]),
     lines: usize,
 ) -> SeriesLabelPosition {
     let (width, height) = (0.35, 0.05 + 0.06 * lines as f64);
@@ -304,14 +298,10 @@ fn decimal(digits: f64, exponent: i32) -> f64 {
 /// `0.01`, `20`, `10⁷`.
 fn tick(x: f64) -> String {
     let scientific = format!("{x:e}");
-    match scientific.split_once('e') {
-        Some(("1", exponent)) if !(0.001..=1000.0).contains(&x) => {
-            format!("10{}", superscript(exponent))
-        }
-        Some((digit, exponent)) if !(0.001..=1000.0).contains(&x) => {
-            format!("{digit}·10{}", superscript(exponent))
-        }
-        _ => format!("{x}"),
+    match scientific.split_once('e').filter(|_| !(0.001..=1000.0).contains(&x)) {
+        Some(("1", exponent)) => format!("10{}", superscript(exponent)),
+        Some((digit, exponent)) => format!("{digit}·10{}", superscript(exponent)),
+        None => format!("{x}"),
     }
 }
 

@@ -38,6 +38,11 @@ pub fn brightness(film: &Film) -> f64 {
     mean(film.pixels().iter().map(|pixel| pixel.average()))
 }
 
+/// That of each picture.
+pub fn brightnesses(films: &[Film]) -> Vec<f64> {
+    films.iter().map(brightness).collect()
+}
+
 /// The reference for errors: the mean of replicas.
 pub struct Reference {
     /// The picture.
@@ -81,8 +86,7 @@ impl Reference {
             let of_mean: Vec<Rgb> = variances.iter().map(|v| *v / films.len() as f64).collect();
             mean_squares(&of_mean, &weights)
         });
-        let brightnesses = films.iter().map(brightness).collect();
-        Self { film, mean, brightnesses, own, weights }
+        Self { film, mean, brightnesses: brightnesses(films), own, weights }
     }
 
     /// The standard error of the reference, absolute and relative.

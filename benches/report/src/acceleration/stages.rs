@@ -48,7 +48,7 @@ pub static STAGES: [Stage; 4] = [
         name: "uniform spheres",
         about: "Random spheres in a cube, whose total volume is always the same fraction of it \
                 (figure 22.11): the best case for a regular grid.",
-        objects: uniform,
+        objects: |n, seed| Objects::new(spheres(n, seed, 1.0)),
         eye: Point::new(0.0, 0.0, 20.0),
         half_width: 200.0 / 3600.0 * 20.0,
     },
@@ -71,7 +71,7 @@ pub static STAGES: [Stage; 4] = [
     Stage {
         name: "tessellated sphere",
         about: "A sphere of triangles (figure 23.1), long and thin ones at the poles.",
-        objects: tessellated,
+        objects: |n, _| of_mesh(sphere_mesh(n)),
         eye: Point::new(0.5, 1.0, 4.0),
         half_width: 1.2,
     },
@@ -120,10 +120,6 @@ fn spheres(n: u32, seed: u64, half: f64) -> impl Iterator<Item = Kind> {
     })
 }
 
-fn uniform(n: u32, seed: u64) -> Objects {
-    Objects::new(spheres(n, seed, 1.0))
-}
-
 fn stadium(n: u32, seed: u64) -> Objects {
     let seat = |i: u32| {
         let along = 12.5 * f64::from(i % 17) - 100.0;
@@ -157,10 +153,6 @@ fn of_mesh(mesh: TriangleMesh) -> Objects {
 fn sphere_mesh(n: u32) -> TriangleMesh {
     let vertical = (0.5 + 0.5 * (f64::from(n) + 1.0).sqrt()) as u32;
     TessellatedSphere::new(2 * vertical, vertical, false).mesh()
-}
-
-fn tessellated(n: u32, _: u64) -> Objects {
-    of_mesh(sphere_mesh(n))
 }
 
 fn bumpy(n: u32, _: u64) -> Objects {

@@ -47,29 +47,10 @@ fn time_ratio(scene: &SceneData, choice: &Choice) -> Option<f64> {
 /// One choice in all scenes.
 struct Record<'a> {
     choice: &'a Choice,
-    /// The time ratio in each scene; `None` where it does not apply or has bias.
-    ratios: Vec<Option<f64>>,
-}
-
-impl Record<'_> {
-    fn worst(&self) -> f64 {
-        self.ratios.iter().flatten().copied().fold(0.0, f64::max)
-    }
-
-    /// The geometric mean over the scenes where it applies and has no bias.
-    fn mean(&self) -> f64 {
-        let logs: Vec<f64> = self.ratios.iter().flatten().map(|ratio| ln(*ratio)).collect();
-        exp(logs.iter().sum::<f64>() / logs.len() as f64)
-    }
-
-    fn applies_everywhere(&self) -> bool {
-        self.ratios.iter().all(Option::is_some)
-    }
-
-    /// The number of scenes in which it is as good as the best.
-    fn wins(&self) -> usize {
-        self.ratios.iter().flatten().filter(|ratio| **ratio <= AS_GOOD).count()
-    }
+    /// The time ratio in each scene where it applies and has no bias.
+    ratios: Vec<f64>,
+    /// The geometric mean of them.
+    mean: f64,
 }
 
 /// The choices of the scene that has the largest number of them.
@@ -85,17 +66,19 @@ fn records(data: &Data) -> Vec<Record<'_>> {
             let here = named(scene, choice).filter(|here| here.kind.unbiased)?;
             time_ratio(scene, here)
         };
-        Record { choice, ratios: data.scenes.iter().map(ratio).collect() }
+        let ratios: Vec<f64> = data.scenes.iter().filter_map(ratio).collect();
+        let mean = exp(ratios.iter().map(|x| ln(*x)).sum::<f64>() / ratios.len() as f64);
+        (!ratios.is_empty()).then_some(Record { choice, ratios, mean })
     };
-    all_choices(data).iter().map(record).filter(|r| r.ratios.iter().any(Option::is_some)).collect()
+    all_choices(data).iter().filter_map(record).collect()
 }
 
 /// One sentence for all scenes: the choice without bias that has the smallest mean time, the times
 /// of the others, and the bias of the biased ones.
 fn advice(data: &Data) -> String {
     let records = records(data);
-    let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.mean().total_cmp(&b.mean());
-    let everywhere = records.iter().filter(|record| record.applies_everywhere());
+    let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.mean.total_cmp(&b.mean);
+    let everywhere = records.iter().filter(|record| record.ratios.len() == data.scenes.len());
     let Some(best) = everywhere.min_by(by_mean) else {
         return "No choice is without bias in every scene.".to_owned();
     };
@@ -103,7 +86,7 @@ fn advice(data: &Data) -> String {
         let of_tracer =
             |r: &&Record<'_>| r.choice.kind.tracer == tracer && r.choice.name != best.choice.name;
         let other = records.iter().filter(of_tracer).min_by(by_mean)?;
-        Some(format!("{} {} times", words(other.choice), rough(other.mean())))
+        Some(format!("{} {} times", words(other.choice), rough(other.mean)))
     });
     let others = listed(others);
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
@@ -119,21 +102,21 @@ fn advice(data: &Data) -> String {
          {} times in the worst scene (the others in the mean: {others}). The bias of the mean is up to \
          {missed}.",
         words(best.choice),
-        best.wins(),
+        best.ratios.iter().filter(|ratio| **ratio <= AS_GOOD).count(),
         data.scenes.len(),
-        rough(best.mean()),
-        rough(best.worst()),
+        rough(best.mean),
+        rough(best.ratios.iter().copied().fold(0.0, f64::max)),
     )
 }
 
 /// The words for a choice in a sentence.
 fn words(choice: &Choice) -> String {
-    let measure = match choice.kind.sampling {
-        None => return choice.kind.tracer.to_owned(),
-        Some(Sampling::Area) => "area",
-        Some(Sampling::SolidAngle) => "solid-angle",
+    let sampling = match choice.kind.sampling {
+        None => "",
+        Some(Sampling::Area) => " with area sampling of lights",
+        Some(Sampling::SolidAngle) => " with solid-angle sampling of lights",
     };
-    format!("{} with {measure} sampling of lights", choice.kind.tracer)
+    format!("{}{sampling}", choice.kind.tracer)
 }
 
 /// The table of the times for the same noise.
@@ -142,9 +125,9 @@ fn summary(data: &Data) -> Element {
         .caption("Time for the same noise, as a multiple of the shortest")
         .column("choice", |choice| &choice.name);
     for scene in &data.scenes {
-        table = table.column(scene.subject.name, |choice| match named(scene, choice) {
-            None => DASH.to_owned(),
-            Some(here) => ratio_or_biased(scene, here),
+        let cell = |here| ratio_or_biased(scene, here);
+        table = table.column(scene.subject.name, |choice| {
+            named(scene, choice).map_or(DASH.to_owned(), cell)
         });
     }
     table.element()

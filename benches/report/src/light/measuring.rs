@@ -6,11 +6,12 @@ use super::scenes::{DEPTH, LightScene, Method, SUBJECTS, set_rule};
 use super::{BiasData, Choice, Crop, Data, EqualTime, MethodData, ReferenceData, SceneData};
 use crate::convergence::counts;
 use crate::pictures::{Pictures, Series, rendered};
-use crate::reference::{Reference, brightness};
+use crate::reference::{Reference, brightnesses};
 use crate::{Interrupted, ReportProgress, Settings};
 use groundtruth::lobes::GlossyRule;
 use groundtruth::math::hash;
 use groundtruth::scene::{Depth, Scene, Tracer};
+use groundtruth::trace::Strategy;
 
 /// The largest number of samples per pixel, whatever the settings.
 const MAX_SAMPLES: u32 = 1024;
@@ -28,17 +29,9 @@ struct Plan {
     /// For each method, by increasing number of samples.
     levels: Vec<Series>,
     /// For each of [`DEPTHS`], and for [`MAX_DEPTH`].
-    depths: Variants,
+    depths: Vec<Series>,
     /// The normalised and the book's rule, by whitted and path, if the scene has glossy reflection.
-    rules: Vec<Variants>,
-}
-
-/// Pictures of the same seeds with different settings.
-struct Variants {
-    /// The last one is what the others are compared with.
-    series: Vec<Series>,
-    /// The names of the others.
-    names: Vec<String>,
+    rules: Vec<(Tracer, Vec<Series>)>,
 }
 
 /// Pictures of a scene with several seeds.
@@ -74,8 +67,7 @@ impl Plan {
                 // one seed for both: the same directions, where they are above the surface
                 set_rule(&mut scene, rule).then(|| replicas(scene, few, many, seed(100, 0)))
             });
-            let names = vec![format!("{}, normalised rule", tracer.name())];
-            Some(Variants { series: rules.collect::<Option<_>>()?, names })
+            Some((tracer, rules.collect::<Option<_>>()?))
         };
         let compared = |tracer: &Tracer| matches!(tracer, Tracer::Whitted(_) | Tracer::Path(_));
         let mut tracers: Vec<Tracer> =
@@ -87,18 +79,15 @@ impl Plan {
         Self {
             reference: replicas(scene(subject.best()), (most / 4).max(4), many, seed(0, 0)),
             levels: (0..).zip(methods).flat_map(of_method).map(level).collect(),
-            depths: Variants {
-                series: DEPTHS.into_iter().chain([MAX_DEPTH]).map(depth).collect(),
-                names: DEPTHS.map(|depth| format!("path, max_depth {depth}")).into(),
-            },
+            depths: DEPTHS.into_iter().chain([MAX_DEPTH]).map(depth).collect(),
             rules: tracers.into_iter().filter_map(by_rule).collect(),
         }
     }
 
     /// The number of pictures.
     fn pictures(&self) -> u64 {
-        let variants = self.rules.iter().chain([&self.depths]).flat_map(|some| &some.series);
-        let all = from_ref(&self.reference).iter().chain(&self.levels).chain(variants);
+        let rules = self.rules.iter().flat_map(|(_, series)| series);
+        let all = rules.chain(&self.depths).chain(&self.levels).chain([&self.reference]);
         all.map(|series| u64::from(series.count())).sum()
     }
 }
@@ -128,8 +117,11 @@ fn measure_scene(
     let pictures = rendered(from_ref(&plan.reference), progress)?.remove(0);
     let reference = Reference::new(&pictures.films);
     let choices = measure_choices(subject, &plan.levels, &reference, progress)?;
-    let depths = plan.depths.biases(progress)?;
-    let rules = plan.rules.iter().map(|rules| rules.biases(progress));
+    let of_depth = DEPTHS.map(|depth| format!("path, max_depth {depth}"));
+    let depths = biases(&plan.depths, &of_depth, progress)?;
+    let rules = plan.rules.iter().map(|(tracer, series)| {
+        biases(series, &[format!("{}, normalised rule", tracer.name())], progress)
+    });
     let rules = rules.collect::<Result<Vec<_>, _>>()?.concat();
     let equal_time = equal_time(subject, index, settings, progress, &choices)?;
     let [standard_error, relative_standard_error] = reference.own_error();
@@ -164,11 +156,12 @@ fn measure_choices(
     let choice = |(method, pictures): (Method, &[Pictures])| {
         // the largest number of samples with enough pictures for an interval
         let largest = pictures.iter().max_by_key(|pictures| pictures.films.len().min(8));
-        let brightnesses = largest.expect("a level").brightnesses();
+        let brightnesses = brightnesses(&largest.expect("a level").films);
         let kind = MethodData {
             tracer: method.tracer.name(),
             sampling: method.sampling,
-            unbiased: method.is_unbiased(),
+            // every light of these scenes is a surface
+            unbiased: Strategy::of(method.tracer).is_path(),
             bias: BiasData::new(method.name(), &brightnesses, &reference.brightnesses),
         };
         Choice::new(method.name(), kind, pictures, from_ref(reference))
@@ -176,23 +169,19 @@ fn measure_choices(
     Ok(methods.into_iter().zip(levels).map(choice).collect())
 }
 
-impl Variants {
-    fn biases(&self, progress: &ReportProgress) -> Result<Vec<BiasData>, Interrupted> {
-        let pictures = rendered(&self.series, progress)?;
-        let (truth, others) = pictures.split_last().expect("there are at least two");
-        let truth = truth.brightnesses();
-        let bias = |(name, pictures): (&String, &Pictures)| {
-            BiasData::paired(name.clone(), &pictures.brightnesses(), &truth)
-        };
-        Ok(self.names.iter().zip(others).map(bias).collect())
-    }
-}
-
-impl Pictures {
-    /// The brightness of each picture.
-    fn brightnesses(&self) -> Vec<f64> {
-        self.films.iter().map(brightness).collect()
-    }
+/// The biases of pictures of the same seeds with these settings, compared with the last series.
+fn biases(
+    series: &[Series],
+    names: &[String],
+    progress: &ReportProgress,
+) -> Result<Vec<BiasData>, Interrupted> {
+    let pictures = rendered(series, progress)?;
+    let (truth, others) = pictures.split_last().expect("there are at least two");
+    let truth = brightnesses(&truth.films);
+    let bias = |(name, pictures): (&String, &Pictures)| {
+        BiasData::paired(name.clone(), &brightnesses(&pictures.films), &truth)
+    };
+    Ok(names.iter().zip(others).map(bias).collect())
 }
 
 /// A picture of each choice, with as many samples as fit into the time of the best choice (the last

@@ -13,7 +13,6 @@ use groundtruth::scene::build::{
 };
 use groundtruth::scene::{Depth, Light, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Rectangle, Sampling};
-use groundtruth::trace::Strategy;
 
 /// A scene of the page.
 #[derive(Serialize)]
@@ -92,20 +91,14 @@ pub struct Method {
 }
 
 impl Method {
-    /// Whether it includes all light paths up to the depth limit (every light of these scenes is a
-    /// surface).
-    pub fn is_unbiased(self) -> bool {
-        Strategy::of(self.tracer).is_path()
-    }
-
     /// The name in the tables.
     pub fn name(self) -> String {
-        let tracer = self.tracer.name();
-        match self.sampling {
-            None => tracer.to_owned(),
-            Some(Sampling::Area) => format!("{tracer} (area)"),
-            Some(Sampling::SolidAngle) => format!("{tracer} (solid angle)"),
-        }
+        let sampling = match self.sampling {
+            None => "",
+            Some(Sampling::Area) => " (area)",
+            Some(Sampling::SolidAngle) => " (solid angle)",
+        };
+        format!("{}{sampling}", self.tracer.name())
     }
 }
 
@@ -113,11 +106,11 @@ impl LightScene {
     /// All methods for the scene; the last one has no bias and the least noise.
     pub fn methods(&self) -> Vec<Method> {
         let of_tracer = |tracer: Tracer| {
-            let samplings = match tracer {
-                Tracer::PathTrace(_) => vec![None],
-                _ => vec![Some(Sampling::Area), Some(Sampling::SolidAngle)],
+            let samplings: &[_] = match tracer {
+                Tracer::PathTrace(_) => &[None],
+                _ => &[Some(Sampling::Area), Some(Sampling::SolidAngle)],
             };
-            samplings.into_iter().map(move |sampling| Method { tracer, sampling })
+            samplings.iter().map(move |&sampling| Method { tracer, sampling })
         };
         let depth = Depth { max_depth: DEPTH };
         let tracers = [

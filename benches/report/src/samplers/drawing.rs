@@ -107,19 +107,17 @@ fn advice(data: &IntegrandData) -> String {
 
 /// One sentence: the sampler with the smallest error for each of a few numbers of samples; without fixed ones.
 fn smallest(data: &IntegrandData) -> String {
-    let error = |s: &SamplerData, n: u32| Some(s.errors.iter().find(|e| e.samples == n)?.rms);
     let of_number = |n: u32| {
         let of_kind = data.samplers.iter().filter(|s| !FIXED.contains(&&*s.sampler));
-        let known = of_kind.filter_map(|s| Some((s, error(s, n)?)));
+        let known = of_kind.filter_map(|s| Some((s, s.error(n)?)));
         let (best, least) = known.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let random = error(data.samplers.iter().find(|s| s.sampler == BOOKS[0])?, n)?;
+        let random = data.samplers.iter().find(|s| s.sampler == BOOKS[0])?.error(n)?;
         let (least, random) = (rough(least), rough(random));
         Some(format!("with {n} samples {} ({least}, random {random})", best.sampler))
     };
-    let found: Vec<String> = [4, 16, 64].into_iter().filter_map(of_number).collect();
-    match found.is_empty() {
-        true => String::new(),
-        false => format!(" The smallest error has {}.", found.join(", ")),
+    match [4, 16, 64].into_iter().filter_map(of_number).collect::<Vec<String>>().join(", ") {
+        none if none.is_empty() => none,
+        found => format!(" The smallest error has {found}."),
     }
 }
 
@@ -134,12 +132,7 @@ fn by_need(data: &IntegrandData, fixed: bool) -> Vec<(&SamplerData, f64)> {
 }
 
 fn details(data: &IntegrandData) -> Element {
-    let error = |samples: u32| {
-        move |s: &&SamplerData| {
-            let found = s.errors.iter().find(|e| e.samples == samples);
-            rough_or_dash(found.map(|e| e.rms))
-        }
-    };
+    let error = |samples: u32| move |s: &&SamplerData| rough_or_dash(s.error(samples));
     let slope =
         |[slope, low, high]: [f64; 3]| with_minus(&format!("{slope:.2} ({low:.2} … {high:.2})"));
     table(&data.samplers)
