@@ -65,22 +65,21 @@ impl Export {
         self.without.iter().for_each(|term| term.remove(&mut scene));
         if let Some(target) = self.format.target() {
             let (name, folder) = (self.scene.name(), self.scene.files_folder());
-            let said = witness::said(target, (name, &self.stem()), &scene, folder);
+            // how the names of files beside the output begin
+            let stem = self.file().and_then(Path::file_stem).unwrap_or("scene".as_ref());
+            let said = witness::said(target, (name, &stem.to_string_lossy()), &scene, folder);
             return said.map_or(Ok(Exit::Unanswered), |said| self.write_all(&said, &inputs));
         }
         if let Some(folder) = self.scene.folder() {
-            let folder = self.relative_to_output(folder)?;
+            let folder = match self.file() {
+                Some(output) => output::folder_seen_from(folder, output)?,
+                None => folder.canonicalize()?,
+            };
             scene = scenefile::files_from(&scene, &folder)?;
         }
         let text = scenefile::to_toml(&scene)?;
         output::check_distinct(self.file(), &inputs)?;
         self.write(&text)
-    }
-
-    /// How the names of files beside the output begin.
-    fn stem(&self) -> String {
-        let stem = self.file().and_then(Path::file_stem);
-        stem.map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
     }
 
     /// Writes a scene in the language of another renderer, and the files beside it.
@@ -128,13 +127,5 @@ impl Export {
     /// The file to write, if it is not the standard output.
     fn file(&self) -> Option<&Path> {
         self.output.as_deref().filter(|path| !output::is_standard(path))
-    }
-
-    /// The folder of the scene, relative to the folder of the output; absolute without an output.
-    fn relative_to_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
-        match self.file() {
-            Some(output) => output::folder_seen_from(folder, output),
-            None => Ok(folder.canonicalize()?),
-        }
     }
 }

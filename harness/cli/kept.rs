@@ -39,25 +39,25 @@ impl Format {
     /// Another ending, with those that there are.
     pub fn of(path: &Path, is_test: bool) -> Result<Self, String> {
         let end = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        let known: &[(&str, Self)] = match is_test {
-            true => &[("rs", Self::Rust), ("toml", Self::Toml)],
-            false => &[
-                ("html", Self::Html),
-                ("obj", Self::Obj),
-                ("svg", Self::Svg),
-                ("json", Self::Json),
-                ("jsonl", Self::Jsonl),
-            ],
+        let (known, problem): (&[_], _) = match is_test {
+            true => (
+                &[("rs", Self::Rust), ("toml", Self::Toml)],
+                "with --test, the name ends with .rs (a test) or .toml (a scene file)",
+            ),
+            false => (
+                &[
+                    ("html", Self::Html),
+                    ("obj", Self::Obj),
+                    ("svg", Self::Svg),
+                    ("json", Self::Json),
+                    ("jsonl", Self::Jsonl),
+                ],
+                "the name ends with .html (a page), .obj (the rays as lines), .svg (the rays over the scene), .json \
+                 (all numbers) or .jsonl (a log of the rays)",
+            ),
         };
         let found = known.iter().find(|(name, _)| *name == end).map(|(_, format)| *format);
-        found.ok_or_else(|| match is_test {
-            true => format!("{}: with --test, the name ends with .rs (a test) or .toml (a scene file)", path.display()),
-            false => format!(
-                "{}: the name ends with .html (a page), .obj (the rays as lines), .svg (the rays over the scene), .json \
-                 (all numbers) or .jsonl (a log of the rays)",
-                path.display()
-            ),
-        })
+        found.ok_or_else(|| format!("{}: {problem}", path.display()))
     }
 }
 

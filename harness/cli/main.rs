@@ -144,16 +144,13 @@ enum Command {
     Report(report::Report),
 }
 
-/// The result of a command.
+/// The result of a command: its exit status.
 enum Exit {
-    /// Exit status 0.
-    Yes,
-    /// Exit status 1.
-    No,
-    /// Exit status 2; the command has already printed the reasons.
-    Unanswered,
-    /// Exit status 130.
-    Interrupted,
+    Yes = 0,
+    No = 1,
+    /// The command has already printed the reasons.
+    Unanswered = 2,
+    Interrupted = 130,
 }
 
 type Outcome = Result<Exit, Box<dyn Error>>;
@@ -183,10 +180,7 @@ fn main() -> ExitCode {
         Command::Report(command) => command.run(),
     };
     match outcome {
-        Ok(Exit::Yes) => ExitCode::SUCCESS,
-        Ok(Exit::No) => ExitCode::FAILURE,
-        Ok(Exit::Unanswered) => ExitCode::from(2),
-        Ok(Exit::Interrupted) => ExitCode::from(130),
+        Ok(exit) => ExitCode::from(exit as u8),
         Err(error) => {
             eprintln!("error: {}", printable::text(&error.to_string()));
             ExitCode::from(2)

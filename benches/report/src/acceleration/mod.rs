@@ -29,7 +29,6 @@ pub const PAGE: Page = Page {
 struct Data {
     /// The width and height of the picture in pixels.
     side: u32,
-    /// The results for each kind of scene.
     stages: Vec<StageData>,
 }
 
@@ -39,9 +38,7 @@ struct StageData {
     /// Its name and description.
     #[serde(flatten)]
     stage: &'static Stage,
-    /// The measurements.
     runs: Vec<Run>,
-    /// The structures that were not measured.
     skipped: Vec<Skipped>,
     /// Whether all structures gave the same distances, bit for bit, for the rays that were
     /// compared.
@@ -51,7 +48,6 @@ struct StageData {
 /// The measurement of one structure and number of objects.
 #[derive(Serialize)]
 struct Run {
-    /// The structure's name.
     structure: String,
     /// The number of objects or triangles.
     objects: usize,
@@ -75,11 +71,9 @@ struct Run {
 /// A structure that was not measured.
 #[derive(Serialize)]
 struct Skipped {
-    /// The structure's name.
     structure: String,
     /// The number of objects or triangles.
     objects: usize,
-    /// The reason.
     why: String,
 }
 

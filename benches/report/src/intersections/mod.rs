@@ -34,7 +34,6 @@ struct Data {
 /// One kind of shape.
 #[derive(Serialize)]
 struct KindData {
-    /// Its name.
     kind: String,
     /// The number of rays for each family.
     cases: usize,
@@ -45,7 +44,6 @@ struct KindData {
 /// One kind of shape on one family of hard cases.
 #[derive(Default, Serialize)]
 struct FamilyData {
-    /// Its name.
     family: String,
     /// The number of shapes that the library rejects; their rays are skipped.
     refused: usize,
@@ -53,9 +51,7 @@ struct FamilyData {
     judged: usize,
     /// The number of judged rays that hit.
     hits: usize,
-    /// The library's routine.
     ours: Routine,
-    /// The textbook's routine.
     textbook: Routine,
     /// Whether other programs disturbed the measurement of any of the times.
     disturbed: bool,

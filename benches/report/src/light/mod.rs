@@ -32,7 +32,6 @@ pub const PAGE: Page = Page {
 struct Data {
     /// The `max_depth` of every tracer that has one, except where depths are compared.
     depth: u32,
-    /// The results for each scene.
     scenes: Vec<SceneData>,
 }
 
@@ -42,11 +41,8 @@ struct SceneData {
     /// Its name and description.
     #[serde(flatten)]
     subject: &'static LightScene,
-    /// The number of pixel columns.
     width: u32,
-    /// The number of pixel rows.
     height: u32,
-    /// The reference for errors.
     reference: ReferenceData,
     /// The results for each tracer and sampling of area lights.
     choices: Vec<Choice>,
@@ -82,7 +78,6 @@ type Choice = convergence::Choice<MethodData>;
 /// A tracer and a sampling of area lights, and its bias in a scene.
 #[derive(Serialize)]
 struct MethodData {
-    /// The name of the tracer.
     tracer: &'static str,
     /// How area lights are sampled; `None` if they are not.
     sampling: Option<Sampling>,
@@ -120,7 +115,6 @@ struct Crop {
     samples: u32,
     /// The rendering time.
     seconds: f64,
-    /// The picture.
     #[serde(skip)]
     film: Film,
 }

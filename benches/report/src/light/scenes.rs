@@ -11,7 +11,7 @@ use groundtruth::samplers::MultiJittered;
 use groundtruth::scene::build::{
     add, boxed, checker3d, grey, ground, matte, pinhole, point, sphere,
 };
-use groundtruth::scene::{Depth, Light, Scene, Tracer, Whitted};
+use groundtruth::scene::{Depth, Light, Material, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Rectangle, Sampling};
 
 /// A scene of the page.
@@ -25,10 +25,6 @@ pub struct LightScene {
     /// Builds the scene.
     #[serde(skip)]
     pub scene: fn() -> Scene,
-    /// Whether it has mirrors, glossy or transparent materials: without them `whitted` is
-    /// `ray_cast`.
-    #[serde(skip)]
-    pub has_mirrors: bool,
     /// The width of its pictures is divided by this number, for slow scenes.
     #[serde(skip)]
     pub part: u32,
@@ -43,7 +39,6 @@ pub static SUBJECTS: [LightScene; 5] = [
         about: "Matte walls and blocks under a small area light (figure 26.12), with light reflected \
                 between the walls.",
         scene: || of_gallery("ch26/cornell-box"),
-        has_mirrors: false,
         part: 1,
     },
     LightScene {
@@ -52,7 +47,6 @@ pub static SUBJECTS: [LightScene; 5] = [
                 at the positions of the book's point lights: light is reflected many times between \
                 mirrors.",
         scene: glossy_hall,
-        has_mirrors: true,
         part: 1,
     },
     LightScene {
@@ -60,7 +54,6 @@ pub static SUBJECTS: [LightScene; 5] = [
         about: "A glass ball over a checker, under a square area light: only paths that hit the light by \
                 chance find the light through the glass.",
         scene: glass_over_checker,
-        has_mirrors: true,
         part: 1,
     },
     LightScene {
@@ -68,7 +61,6 @@ pub static SUBJECTS: [LightScene; 5] = [
         about: "Half a cylinder with a mirror inside, whose caustic on the ground is a cardioid (figure \
                 26.9): only paths that hit the small light by chance through the mirror find it.",
         scene: || of_gallery("ch26/half-cylinder-caustic"),
-        has_mirrors: true,
         part: 1,
     },
     LightScene {
@@ -76,7 +68,6 @@ pub static SUBJECTS: [LightScene; 5] = [
         about: "36 small area lights above matte balls, not in the picture: all of them are sampled at \
                 each hit, which takes long; paths without sampling rarely hit one.",
         scene: many_small_lights,
-        has_mirrors: false,
         part: 2,
     },
 ];
@@ -120,7 +111,12 @@ impl LightScene {
             Tracer::GlobalTrace(depth),
             Tracer::Path(depth),
         ];
-        let applies = |tracer: &Tracer| self.has_mirrors || !matches!(tracer, Tracer::Whitted(_));
+        // without mirrors, glossy or transparent materials `whitted` is `ray_cast`
+        let is_plain = |material: &Material| {
+            matches!(material.recipe, MaterialKind::Matte(_) | MaterialKind::Emissive(_))
+        };
+        let has_mirrors = !(self.scene)().materials.iter().all(is_plain);
+        let applies = |tracer: &Tracer| has_mirrors || !matches!(tracer, Tracer::Whitted(_));
         tracers.into_iter().filter(applies).flat_map(of_tracer).collect()
     }
 

@@ -34,7 +34,6 @@ struct Data {
     pixels: u32,
     /// The number of seeds over which errors are averaged.
     seeds: u32,
-    /// The results for each integrand.
     integrands: Vec<IntegrandData>,
 }
 
@@ -44,14 +43,12 @@ struct IntegrandData {
     /// Its name and description.
     #[serde(flatten)]
     integrand: &'static Integrand,
-    /// The results for each sampler.
     samplers: Vec<SamplerData>,
 }
 
 /// One sampler on one integrand.
 #[derive(Serialize)]
 struct SamplerData {
-    /// Its name.
     sampler: String,
     /// The errors, by increasing number of samples.
     errors: Vec<Error>,
@@ -70,7 +67,6 @@ struct SamplerData {
 /// The error for a number of samples.
 #[derive(Clone, Copy, Serialize)]
 struct Error {
-    /// The number of samples per pixel.
     samples: u32,
     /// The root mean square of `(estimate − exact)/scale`.
     rms: f64,

@@ -39,7 +39,6 @@ pub const PAGE: Page = Page {
 /// The data of the page.
 #[derive(Serialize)]
 struct Data {
-    /// The results for each scene.
     scenes: Vec<SceneData>,
 }
 
@@ -49,9 +48,7 @@ struct SceneData {
     /// Its name and description.
     #[serde(flatten)]
     subject: &'static TextureScene,
-    /// The number of pixel columns.
     width: u32,
-    /// The number of pixel rows.
     height: u32,
     /// The number of frames of the animation.
     moments: u32,
