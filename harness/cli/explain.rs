@@ -70,10 +70,10 @@ pub struct Explain {
 
 /// What --json prints.
 #[derive(Serialize)]
-struct Report<T> {
+struct Report {
     made: Provenance,
     #[serde(flatten)]
-    explanation: T,
+    explanation: serde_json::Value,
 }
 
 impl Explain {
@@ -149,14 +149,8 @@ impl Explain {
         explanation: &PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
         let made = self.made(scene, world)?;
-        let json = match self.formulas {
-            true => {
-                let explanation = formulas::with_formulas(explanation)?;
-                serde_json::to_string_pretty(&Report { made, explanation })?
-            }
-            false => serde_json::to_string_pretty(&Report { made, explanation })?,
-        };
-        Ok(json + "\n")
+        let explanation = formulas::json(explanation, self.formulas)?;
+        Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
     }
 
     /// How the pixel was made.

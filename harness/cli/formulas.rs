@@ -3,11 +3,11 @@
 use explain::{PixelExplanation, RecordedRay};
 use serde_json::{Value, json};
 
-/// An explanation as JSON, in which each term has its formula.
-pub fn with_formulas(explanation: &PixelExplanation) -> serde_json::Result<Value> {
+/// An explanation as JSON, in which each term has its formula if so asked.
+pub fn json(explanation: &PixelExplanation, with_formulas: bool) -> serde_json::Result<Value> {
     let mut whole = serde_json::to_value(explanation)?;
     for (sample, data) in explanation.samples.iter().zip(list(&mut whole["samples"])) {
-        if let Some(ray) = &sample.ray {
+        if let Some(ray) = sample.ray.as_ref().filter(|_| with_formulas) {
             add(ray, &mut data["ray"]);
         }
     }

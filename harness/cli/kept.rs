@@ -16,19 +16,12 @@ use super::{Exit, Outcome, output, print};
 /// What is written, by the end of the file's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// A page.
     Html,
-    /// Lines.
     Obj,
-    /// The rays over the scene.
     Svg,
-    /// All numbers.
     Json,
-    /// A log of the rays.
     Jsonl,
-    /// A test.
     Rust,
-    /// A reduced scene.
     Toml,
 }
 

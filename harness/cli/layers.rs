@@ -27,11 +27,8 @@ pub struct LayerArguments {
 
 /// What is written of a scene.
 pub enum Content {
-    /// The picture.
     Picture,
-    /// All layers.
     All(LayerFilms),
-    /// One layer.
     One(Layer),
 }
 

@@ -72,8 +72,8 @@ pub fn note_if_not_shown(
 
 /// The mistake of this name.
 fn named(name: &str) -> Result<&'static Mistake, String> {
-    let names: Vec<&str> = mistakes::all().iter().map(|mistake| mistake.name).collect();
     mistakes::find(name).ok_or_else(|| {
+        let names: Vec<&str> = mistakes::all().iter().map(|mistake| mistake.name).collect();
         let similar = similar::did_you_mean(name, &names);
         format!("no known mistake has this name (`groundtruth mistakes` lists them){similar}")
     })
@@ -96,7 +96,9 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
     let Some(best) = scenes.first() else {
         return Err(format!("{text}no scene of the gallery shows it").into());
     };
-    let named: Vec<String> = scenes.iter().take(NAMED).map(|it| seen_in(it)).collect();
+    // `ch28/glass-sphere (62 %)`
+    let seen_in = |it: &&MistakeInScene| format!("{} ({:.0} %)", it.scene, 100.0 * it.effect.share);
+    let named: Vec<String> = scenes.iter().take(NAMED).map(seen_in).collect();
     let _ = writeln!(text, "  seen best in {} (of {} scenes)", named.join(", "), scenes.len());
     let entry = gallery::find(best.scene).expect("the table is of the gallery");
     let scene = sized((entry.build)(), WIDTH, SAMPLES);
@@ -113,12 +115,9 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
         100.0 * CHANGE,
     );
     let (joined, tone) = (beside.joined(), scene.image.tone());
-    let _ = writeln!(text, "  groundtruth render {} --mistake {name} -o wrong.png", best.scene);
-    let _ = writeln!(
-        text,
-        "  groundtruth explain {} {x},{y} {at_this_size} --mistake {name}",
-        best.scene
-    );
+    let (scene_name, with) = (best.scene, format!("--mistake {name}"));
+    let _ = writeln!(text, "  groundtruth render {scene_name} {with} -o wrong.png");
+    let _ = writeln!(text, "  groundtruth explain {scene_name} {x},{y} {at_this_size} {with}");
     if let (Some(file), Some(format)) = (file, format) {
         let world = World::build(&scene)?;
         let mut made =
@@ -130,9 +129,4 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
         let _ = writeln!(text, "\n{}: {part}", output::name(file));
     }
     output::say(&text, file)
-}
-
-/// `ch28/glass-sphere (62 %)`.
-fn seen_in(pair: &MistakeInScene) -> String {
-    format!("{} ({:.0} %)", pair.scene, 100.0 * pair.effect.share)
 }

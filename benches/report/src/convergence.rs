@@ -6,7 +6,7 @@
 use serde::Serialize;
 
 use crate::pictures::Pictures;
-use crate::plot::{Limit, Plot, Series};
+use crate::plot::{Plot, Series};
 use crate::reference::Reference;
 use crate::words::{capital, flagged, rough_or_dash, time};
 use statistics::slope::power_law;
@@ -45,9 +45,7 @@ pub struct Choice<K> {
 /// The result for a number of samples.
 #[derive(Serialize)]
 pub struct ErrorAtSamples {
-    /// The number of samples per pixel.
     pub samples: u32,
-    /// The number of pictures.
     pub pictures: u32,
     /// The root mean square error of channels, with the error of the reference subtracted (in
     /// squares); `None` if the rest is smaller than the error of the reference.
@@ -129,7 +127,7 @@ pub fn error_columns<'a, K: 'a>(
 pub fn diagrams<'a, K: 'a>(
     choices: impl IntoIterator<Item = &'a Choice<K>> + Clone,
     (name, error): (&str, Error),
-    limit: Option<Limit<'_>>,
+    limit: Option<(f64, &str)>,
 ) -> Element {
     let plot = |x, along: fn(&ErrorAtSamples) -> f64| {
         let series = choices.clone().into_iter().map(|choice| {

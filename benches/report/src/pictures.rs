@@ -18,7 +18,6 @@ pub struct Series {
 
 /// The pictures of a series.
 pub struct Pictures {
-    /// The number of samples per pixel.
     pub samples: u32,
     /// The pictures of the first scene by all seeds, then those of the next scene.
     pub films: Vec<Film>,
@@ -38,7 +37,6 @@ impl Series {
         Self { samples, scenes, seeds: seeds.into_iter().collect() }
     }
 
-    /// The number of pictures.
     pub fn count(&self) -> u32 {
         (self.scenes.len() * self.seeds.len()) as u32
     }

@@ -20,19 +20,10 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// Labels beside the points; none, or one for each.
     pub labels: Vec<String>,
-    /// A fitted line.
-    pub fit: Option<Fit>,
+    /// A fitted line, and the smallest and largest `x` that it is drawn for.
+    pub fit: Option<(PowerLaw, [f64; 2])>,
     /// Whether points are joined by a line, if there is no fit.
     pub joined: bool,
-}
-
-/// A fitted line, and the smallest and largest `x` that it is drawn for.
-#[derive(Clone, Copy, Debug)]
-pub struct Fit {
-    /// The power law.
-    pub law: PowerLaw,
-    /// The smallest and the largest `x`.
-    pub ends: [f64; 2],
 }
 
 impl Series {
@@ -52,17 +43,8 @@ pub struct Plot<'a> {
     pub y: &'a str,
     /// At most five series, distinguished by marker and colour.
     pub series: Vec<Series>,
-    /// A horizontal line.
-    pub limit: Option<Limit<'a>>,
-}
-
-/// A horizontal line at this value, and its label.
-#[derive(Clone, Copy, Debug)]
-pub struct Limit<'a> {
-    /// The value.
-    pub y: f64,
-    /// The label.
-    pub label: &'a str,
+    /// A horizontal line at this value, and its label.
+    pub limit: Option<(f64, &'a str)>,
 }
 
 const SIZE: (u32, u32) = (640, 440);
@@ -96,7 +78,7 @@ impl Plot<'_> {
     fn draw(&self, area: &Area<'_>) -> Drawn {
         let points: Vec<(f64, f64)> =
             self.series.iter().flat_map(|series| visible(&series.points)).collect();
-        let limit = self.limit.map(|limit| limit.y);
+        let limit = self.limit.map(|(y, _)| y);
         let [x0, x1] = range(points.iter().map(|p| p.0), 0.06);
         let [y0, y1] = range(points.iter().map(|p| p.1).chain(limit), 0.06);
         let mut chart = ChartBuilder::on(area)
@@ -109,7 +91,7 @@ impl Plot<'_> {
                 (y0..y1).log_scale().with_key_points(ticks(y0, y1)),
             )?;
         self.draw_axes(&mut chart)?;
-        if let Some(Limit { y, label }) = self.limit {
+        if let Some((y, label)) = self.limit {
             let ends = [(x0, y), (x1, y)];
             chart.draw_series(DashedLineSeries::new(ends, 6, 4, BLACK.stroke_width(1)))?;
             let label = Text::new(label.to_owned(), (4, -16), (FONT, 12).into_font());
@@ -158,9 +140,7 @@ impl Series {
     ) -> Drawn {
         let color = mark.color;
         let line: Vec<(f64, f64)> = match self.fit {
-            Some(Fit { law, ends }) => {
-                ends.map(|x| (x, law.factor * power(x, law.exponent))).into()
-            }
+            Some((law, ends)) => ends.map(|x| (x, law.factor * power(x, law.exponent))).into(),
             None if self.joined => visible(&self.points).collect(),
             None => Vec::new(),
         };

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::{Data, Run, StageData};
 use crate::convergence::CONFIDENCE;
-use crate::plot::{Fit, Plot, Series};
+use crate::plot::{Plot, Series};
 use crate::words::*;
-use statistics::slope::power_law;
+use statistics::slope::{PowerLaw, power_law};
 use text::digits::rough;
 use text::document::*;
 
@@ -158,12 +158,12 @@ fn work(run: &Run) -> f64 {
 }
 
 /// The power law of points of numbers of objects.
-fn fit(all: &[(f64, f64)]) -> Option<Fit> {
+fn fit(all: &[(f64, f64)]) -> Option<(PowerLaw, [f64; 2])> {
     // 0.9: a mesh cannot have every number of triangles, so "1000" may be a few less
     let large: Vec<_> = all.iter().copied().filter(|p| p.0 >= 0.9 * FITTED_FROM as f64).collect();
     let fitted = if large.len() >= 3 { &large } else { all };
     let ends = [fitted.first()?.0, fitted.last()?.0];
-    Some(Fit { law: power_law(fitted, CONFIDENCE)?, ends })
+    Some((power_law(fitted, CONFIDENCE)?, ends))
 }
 
 fn signed(x: f64) -> String {
@@ -178,7 +178,7 @@ fn plot(stage: &StageData, y: &str, of: fn(&Run) -> f64) -> Element {
         let points = runs(stage, name).map(|run| (run.objects as f64, of(run)));
         let mut series = Series::joined(name, points);
         series.fit = fit(&series.points);
-        if let Some(Fit { law, .. }) = series.fit {
+        if let Some((law, _)) = series.fit {
             let slope = signed(law.exponent);
             let [low, high] = law.interval.map(signed);
             slopes.push(format!("{name} {slope} ({low} to {high})"));

@@ -7,6 +7,7 @@ use super::structures::{BuiltStructure, Counts, Structure};
 use super::{Run, Skipped, StageData, sizes};
 use crate::clock::{medians, time};
 use crate::{Interrupted, ReportProgress, Settings};
+use groundtruth::accel::Method;
 use groundtruth::math::Ray;
 
 /// The number of rays whose hits are compared and whose tests are counted first.
@@ -52,12 +53,14 @@ type Answers = Vec<Option<f64>>;
 
 /// Builds the structure, counts tests, and times some rays; an error is the reason to skip it.
 fn run(structure: Structure, objects: &Objects, rays: &[Ray]) -> Result<(Run, Answers), String> {
-    if let Some(why) = structure.unsupported(objects) {
-        return Err(why.to_owned());
-    }
     let many = |tests: f64| format!("each ray tests {tests:.0} objects");
-    if structure.is_exhaustive() && objects.count() as f64 > MAX_TESTS {
-        return Err(many(objects.count() as f64));
+    let all = objects.count() as f64;
+    match structure {
+        Structure::Nested(_) if objects.groups.is_empty() => {
+            return Err("the scene has no groups to nest".to_owned());
+        }
+        Structure::Plain(Method::List) if all > MAX_TESTS => return Err(many(all)),
+        _ => {}
     }
     // on all threads: only the elapsed time is meaningful
     let (built, building) = time(|| structure.build(objects, objects.mesh.as_ref()));

@@ -35,17 +35,6 @@ impl Structure {
         }
     }
 
-    /// Whether every ray tests every object.
-    pub fn is_exhaustive(self) -> bool {
-        self == Self::Plain(Method::List)
-    }
-
-    /// The reason why it cannot be built over these objects; `None` if it can.
-    pub fn unsupported(self, objects: &Objects) -> Option<&'static str> {
-        let nests = matches!(self, Self::Nested(_));
-        (nests && objects.groups.is_empty()).then_some("the scene has no groups to nest")
-    }
-
     /// Builds it over the objects; `mesh` has its own, which counts no tests.
     pub fn build(self, objects: &Objects, mesh: Option<&TriangleMesh>) -> BuiltStructure {
         let over = |group: &Range<usize>| &objects.bounds[group.clone()];

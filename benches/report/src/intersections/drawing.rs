@@ -1,7 +1,7 @@
 //! Page 1 as tables and a plot, from its data alone.
 
 use super::{Data, FamilyData, KindData, Routine};
-use crate::plot::{Limit, Plot, Series};
+use crate::plot::{Plot, Series};
 use crate::words::*;
 use exact::backward_error::ALLOWED;
 use statistics::quantile;
@@ -196,6 +196,6 @@ fn plot(all: &[Summary<'_>]) -> Plot<'static> {
             series("ours", |summary| &summary.ours),
             series("textbook", |summary| &summary.textbook),
         ],
-        limit: Some(Limit { y: ALLOWED, label: "good below this line" }),
+        limit: Some((ALLOWED, "good below this line")),
     }
 }

@@ -3,7 +3,6 @@
 use super::scenes::LightScene;
 use super::{BiasData, Choice, Data, SceneData};
 use crate::convergence::{diagrams, error_columns};
-use crate::plot::Limit;
 use crate::words::*;
 use groundtruth::math::{exp, ln};
 use groundtruth::shapes::Sampling;
@@ -142,7 +141,7 @@ fn ratio_or_biased(scene: &SceneData, choice: &Choice) -> String {
 
 fn section(scene: &SceneData) -> Element {
     let own = scene.reference.relative_standard_error;
-    let limit = (own > 0.0).then_some(Limit { y: own, label: "error of the reference" });
+    let limit = (own > 0.0).then_some((own, "error of the reference"));
     let LightScene { name, about, .. } = scene.subject;
     several()
         .with(beginning(name, format!("{about} {}", reference(scene))))
@@ -220,7 +219,7 @@ fn percent(bias: &BiasData) -> String {
 }
 
 /// The numbers of samples whose errors have a column, ascending; the last is the largest.
-fn shown(most: u32) -> Vec<u32> {
+pub fn shown(most: u32) -> Vec<u32> {
     [1, 16, 256].into_iter().filter(|samples| *samples < most).chain([most]).collect()
 }
 
@@ -266,27 +265,4 @@ fn levels(scene: &SceneData) -> Element {
         .column("time of a picture", |(_, l)| flagged(time(l.picture_seconds), l.disturbed))
         .column("efficiency, 1/s", |(_, level)| rough_or_dash(level.efficiency))
         .element()
-}
-
-#[cfg(test)]
-mod tests {
-    /// Law: errors are shown at 1, 16 and 256 samples as far as there are so many, and at the most, each once and ascending.
-    /// Oracle: columns by hand; 64 is the most of `report --samples 64`.
-    #[test]
-    fn the_last_column_has_the_most_samples_and_none_has_more() {
-        for (most, expected) in [
-            (1, &[1][..]),
-            (4, &[1, 4]),
-            (16, &[1, 16]),
-            (64, &[1, 16, 64]),
-            (256, &[1, 16, 256]),
-            (1024, &[1, 16, 256, 1024]),
-        ] {
-            assert_eq!(
-                super::shown(most),
-                expected,
-                "columns of errors with at most {most} samples"
-            );
-        }
-    }
 }

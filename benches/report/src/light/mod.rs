@@ -6,6 +6,7 @@ mod scenes;
 
 use serde::Serialize;
 
+pub use self::drawing::shown;
 use self::scenes::LightScene;
 use super::convergence::{self, CONFIDENCE};
 use super::{Findings, Page};

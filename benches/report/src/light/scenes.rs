@@ -17,12 +17,10 @@ use groundtruth::shapes::{Rectangle, Sampling};
 /// A scene of the page.
 #[derive(Serialize)]
 pub struct LightScene {
-    /// Its name.
     #[serde(rename = "scene")]
     pub name: &'static str,
     /// A description, and its difficulty.
     pub about: &'static str,
-    /// Builds the scene.
     #[serde(skip)]
     pub scene: fn() -> Scene,
     /// The width of its pictures is divided by this number, for slow scenes.
@@ -75,7 +73,6 @@ pub static SUBJECTS: [LightScene; 5] = [
 /// A tracer and a sampling of area lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
-    /// The tracer.
     pub tracer: Tracer,
     /// How area lights are sampled; `None` if they are not.
     pub sampling: Option<Sampling>,

@@ -2,7 +2,7 @@
 
 use super::{Data, FITTED_FROM, IntegrandData, SamplerData};
 use crate::convergence::CONFIDENCE;
-use crate::plot::{Limit, Plot, Series};
+use crate::plot::{Plot, Series};
 use crate::words::*;
 use text::digits::rough;
 use text::document::*;
@@ -68,7 +68,7 @@ fn plot(samplers: &[&SamplerData]) -> Plot<'static> {
         x: "samples per pixel",
         y: "root mean square error",
         series: samplers.iter().map(series).collect(),
-        limit: Some(Limit { y: super::ONE_PERCENT, label: "1 %" }),
+        limit: Some((super::ONE_PERCENT, "1 %")),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use report::light::shown;
 use serde_json::Value;
 
 use super::{REPORT, SMALL, choices, list, number, text};
@@ -47,6 +48,17 @@ fn every_scene_and_choice_is_there() {
         let name = (&scene["scene"], &choice["choice"]);
         assert_eq!(samples, [1.0, 4.0, 16.0, 64.0, 256.0, f64::from(SMALL.samples)], "{name:?}");
         assert!(levels.iter().all(|level| level["pictures"].as_u64() >= Some(2)), "{name:?}");
+    }
+}
+
+/// Law: errors are shown at 1, 16 and 256 samples as far as there are so many, and at the most, each once and ascending.
+/// Oracle: columns by hand; 64 is the most of `report --samples 64`.
+#[test]
+fn the_last_column_has_the_most_samples_and_none_has_more() {
+    let all: [&[u32]; 6] =
+        [&[1], &[1, 4], &[1, 16], &[1, 16, 64], &[1, 16, 256], &[1, 16, 256, 1024]];
+    for columns in all {
+        assert_eq!(shown(columns[columns.len() - 1]), columns);
     }
 }
 

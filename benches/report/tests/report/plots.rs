@@ -18,7 +18,7 @@ struct Drawn(String);
 
 impl Drawn {
     fn of(series: Vec<Series>, limit: Option<f64>) -> Self {
-        let limit = limit.map(|y| Limit { y, label: "the limit" });
+        let limit = limit.map(|y| (y, "the limit"));
         Self(Plot { x: "across", y: "up", series, limit }.figure("words below").html())
     }
 
@@ -113,7 +113,7 @@ fn labels_fits_and_legends_read_as_before() {
     let mut labelled = points(at(&crowd), &["label"; 7]);
     let apart = points(at(&[[0.0, 0.0], [0.5, 2.0], [2.0, 1.5]]), &["a", "b", "c"]);
     let law = PowerLaw { factor: 2.0, exponent: 0.5, interval: [0.4, 0.6] };
-    labelled.fit = Some(Fit { law, ends: [1.0, 100.0] });
+    labelled.fit = Some((law, [1.0, 100.0]));
     let mut all = Drawn::of(vec![labelled, apart], Some(30.0)).0;
     let corners = [[0.1, 2.9], [2.9, 2.9], [2.9, 0.1], [0.1, 0.1]];
     for empty in corners {
