@@ -11,7 +11,7 @@ use conform::{self, Card, KnownFailures, Options, Profile, Row, card, family::Fa
 use super::numbers::whole;
 use super::program::{CardArguments, Written, unanswered};
 use super::scene::option;
-use super::{Exit, Outcome, interrupt, print, progress};
+use super::{Exit, Outcome, print, progress};
 
 #[derive(Args)]
 pub struct Conform {
@@ -58,7 +58,7 @@ impl Conform {
         let families = self.families()?;
         self.card.check_files(self.write_known.as_deref())?;
         let known = self.known.as_deref().map(KnownFailures::read).transpose()?;
-        let interrupted = interrupt::flag()?;
+        let interrupted = progress::interrupt_flag()?;
         let profile = match self.profile {
             Exact::Careful => Profile::Careful,
             Exact::Book => Profile::Book,
@@ -70,7 +70,7 @@ impl Conform {
             shrink: true,
             interrupted: Arc::clone(&interrupted),
         };
-        let mut program = self.card.program.program(interrupted);
+        let mut program = self.card.program(interrupted);
         let style = "{bar:30} {pos} of {len} families  {wide_msg}";
         let bar = progress::bar(families.len() as u64, style);
         let card = conform::run(&mut program, &families, &options, &mut |row| {

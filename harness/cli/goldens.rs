@@ -14,8 +14,7 @@ use text::brief::count;
 use super::list::is_in;
 use super::part::PartOf;
 use super::scene::{samples, size};
-use super::{Exit, Outcome, print};
-use super::{interrupt, output};
+use super::{Exit, Outcome, output, print, progress};
 
 #[derive(Args)]
 pub struct Goldens {
@@ -205,7 +204,7 @@ impl Accept {
             if Folder::is_none(folder) { Folder::none(folder) } else { open(folder)? };
         // an interrupt stops the command while pictures are rendered, but not while they are
         // written
-        let interrupted = interrupt::flag()?;
+        let interrupted = progress::interrupt_flag()?;
 
         let settings =
             GoldenSettings { size: self.size, samples: self.samples, shows: self.shows.clone() };

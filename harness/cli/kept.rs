@@ -27,9 +27,6 @@ pub enum Format {
 
 impl Format {
     /// The format of a file of this name: of a test or of an explanation.
-    ///
-    /// # Errors
-    /// Another ending, with those that there are.
     pub fn of(path: &Path, is_test: bool) -> Result<Self, String> {
         let end = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let (known, problem): (&[_], _) = match is_test {

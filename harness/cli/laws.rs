@@ -10,7 +10,7 @@ use groundtruth::printable;
 use super::numbers::whole;
 use super::program::{CardArguments, Written, unanswered};
 use super::scene::option;
-use super::{Exit, Outcome, interrupt, print, progress};
+use super::{Exit, Outcome, print, progress};
 
 #[derive(Args)]
 pub struct Laws {
@@ -35,7 +35,7 @@ impl Laws {
             return print(&language.with_lobe());
         }
         self.card.check_files(None)?;
-        let mut program = self.card.program.program(interrupt::flag()?);
+        let mut program = self.card.program(progress::interrupt_flag()?);
         let listed = match self.pack {
             Some(_) => Ok(claims::openpbr()),
             None => claims::listed(&mut program),

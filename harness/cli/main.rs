@@ -14,7 +14,6 @@ mod explain;
 mod export;
 mod formulas;
 mod goldens;
-mod interrupt;
 mod kept;
 mod kinds;
 mod laws;

@@ -66,9 +66,6 @@ pub fn of_chapter_named(name: &str) -> Outcome {
 }
 
 /// The number of a chapter that is written as `ch28`.
-///
-/// # Errors
-/// It is not written so.
 pub fn chapter_named(name: &str) -> Result<u32, String> {
     chapter(name).ok_or_else(|| format!("{name}: a chapter is written as ch28"))
 }

@@ -19,39 +19,7 @@ use super::{Exit, Outcome, output};
 const ANSWER_SECONDS: f64 = 5.0;
 const START_SECONDS: f64 = 60.0;
 
-/// A program, and how long it may take.
-#[derive(Args)]
-pub struct ProgramArguments {
-    /// Seconds for an answer
-    #[arg(long, value_name = "SECONDS", default_value_t = ANSWER_SECONDS, value_parser = number(1e-3..=1e6, "write a number of seconds, such as 5"))]
-    timeout: f64,
-    /// Seconds for the first answer after a start
-    #[arg(long, value_name = "SECONDS", default_value_t = START_SECONDS, value_parser = number(1e-3..=1e6, "write a number of seconds, such as 5"))]
-    start_timeout: f64,
-    /// The program and its arguments
-    #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
-    program: Vec<String>,
-}
-
-impl ProgramArguments {
-    /// The program, which starts at the first question.
-    pub fn program(&self, interrupted: Arc<AtomicBool>) -> Program {
-        let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
-        Program::new(self.program.clone(), Limits { answer, start: start.max(answer) }, interrupted)
-    }
-
-    /// The options that say how long it may take, if they are not the defaults.
-    fn limits(&self) -> Vec<String> {
-        let all = [
-            ("--timeout", self.timeout, ANSWER_SECONDS),
-            ("--start-timeout", self.start_timeout, START_SECONDS),
-        ];
-        let chosen = all.into_iter().filter(|(_, seconds, default)| seconds != default);
-        chosen.flat_map(|(name, seconds, _)| [name.to_owned(), seconds.to_string()]).collect()
-    }
-}
-
-/// Which cases are drawn, and where the card goes.
+/// Which cases are drawn, where the card goes, and the program and how long it may take.
 #[derive(Args)]
 pub struct CardArguments {
     /// Of the cases
@@ -69,8 +37,15 @@ pub struct CardArguments {
     /// Print JSON
     #[arg(long)]
     json: bool,
-    #[command(flatten)]
-    pub program: ProgramArguments,
+    /// Seconds for an answer
+    #[arg(long, value_name = "SECONDS", default_value_t = ANSWER_SECONDS, value_parser = number(1e-3..=1e6, "write a number of seconds, such as 5"))]
+    timeout: f64,
+    /// Seconds for the first answer after a start
+    #[arg(long, value_name = "SECONDS", default_value_t = START_SECONDS, value_parser = number(1e-3..=1e6, "write a number of seconds, such as 5"))]
+    start_timeout: f64,
+    /// The program and its arguments
+    #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
+    program: Vec<String>,
 }
 
 /// A card, as it is written; a form takes the command line of the program.
@@ -84,6 +59,22 @@ pub struct Written<'a> {
 }
 
 impl CardArguments {
+    /// The program, which starts at the first question.
+    pub fn program(&self, interrupted: Arc<AtomicBool>) -> Program {
+        let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
+        Program::new(self.program.clone(), Limits { answer, start: start.max(answer) }, interrupted)
+    }
+
+    /// The options that say how long it may take, if they are not the defaults.
+    fn limits(&self) -> Vec<String> {
+        let all = [
+            ("--timeout", self.timeout, ANSWER_SECONDS),
+            ("--start-timeout", self.start_timeout, START_SECONDS),
+        ];
+        let chosen = all.into_iter().filter(|(_, seconds, default)| seconds != default);
+        chosen.flat_map(|(name, seconds, _)| [name.to_owned(), seconds.to_string()]).collect()
+    }
+
     /// The seed that was given, or a fresh one.
     pub fn seed(&self) -> u64 {
         if self.fresh { fresh_seed() } else { self.seed }
@@ -96,9 +87,8 @@ impl CardArguments {
         options: Vec<String>,
         cases: Option<usize>,
     ) -> Invocation<'_> {
-        let options = [options, self.program.limits()].concat();
-        let program = &self.program.program;
-        Invocation { selection, options, cases, is_fresh: self.fresh, program }
+        let options = [options, self.limits()].concat();
+        Invocation { selection, options, cases, is_fresh: self.fresh, program: &self.program }
     }
 
     fn files<'a>(&'a self, more: Option<&'a Path>) -> impl Iterator<Item = &'a Path> {
@@ -113,7 +103,7 @@ impl CardArguments {
 
     /// Writes the files, and prints what is said: to the standard error if a file goes to the standard output.
     pub fn write(&self, card: &Written<'_>) -> Outcome {
-        let command = self.program.program.join(" ");
+        let command = self.program.join(" ");
         for (file, text) in [(&self.output, card.page), (&self.junit, card.junit)] {
             if let Some(file) = file {
                 output::write(file, text(&command).as_bytes())?;

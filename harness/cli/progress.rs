@@ -1,9 +1,13 @@
 //! Bars that show progress, and work that the user may interrupt.
 
+use std::io;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use groundtruth::render;
 use indicatif::{ProgressBar, ProgressStyle};
+use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::{Exit, Outcome};
 
@@ -47,4 +51,14 @@ const NOTHING_WRITTEN: &str = "interrupted; nothing was written";
 pub fn nothing_written() -> Outcome {
     eprintln!("{NOTHING_WRITTEN}");
     Ok(Exit::Interrupted)
+}
+
+/// Set by Ctrl-C, and by the signal that `timeout`, Slurm and services for continuous integration send. SIGHUP is left
+/// alone, which `nohup` ignores.
+pub fn interrupt_flag() -> io::Result<Arc<AtomicBool>> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        signal_hook::flag::register(signal, Arc::clone(&interrupted))?;
+    }
+    Ok(interrupted)
 }

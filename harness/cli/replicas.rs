@@ -16,7 +16,7 @@ use pictures::sums::{self, Header, Seeds, Sums};
 
 use super::part::PartOf;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, interrupt, output, progress};
+use super::{Exit, Outcome, output, progress};
 
 /// A part that is under way is written this often, for machines that lose their power.
 const SAVED_EVERY: Duration = Duration::from_secs(60);
@@ -42,7 +42,7 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, file: &Pa
     let style = "{bar:40} {pos} of {len} replicas  {elapsed} elapsed, {eta} to go{msg}";
     let bar = progress::bar(asked.count(), style).with_position(sums.header().seeds.count());
     bar.reset_eta();
-    let signal = interrupt::flag()?;
+    let signal = progress::interrupt_flag()?;
     let mut saved = Instant::now();
     let mut is_interrupted = false;
     for seed in missing.iter() {
@@ -67,12 +67,10 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, file: &Pa
         save(&sums)?;
     }
     if is_interrupted && done < all {
-        match done {
-            0 => eprintln!("interrupted; nothing was written"),
-            _ => eprintln!(
-                "interrupted; {file}: {done} of {all} replicas; the same command continues"
-            ),
+        if done == 0 {
+            return progress::nothing_written();
         }
+        eprintln!("interrupted; {file}: {done} of {all} replicas; the same command continues");
         return Ok(Exit::Interrupted);
     }
     eprintln!("{file}: {all} replicas, {}", sums.header().seeds);

@@ -11,7 +11,7 @@ use text::shell;
 use text::told::Told;
 
 use super::verify::Verify;
-use super::{Exit, Outcome, interrupt, output, progress};
+use super::{Exit, Outcome, output, progress};
 
 impl Verify {
     /// Judges the pictures before and after.
@@ -20,7 +20,7 @@ impl Verify {
         output::once(inputs().chain(&self.regions), "input")?;
         output::check_distinct(&self.output, inputs().chain(&self.regions))?;
         self.output.as_deref().map_or(Ok(()), output::writable)?;
-        let interrupted = interrupt::flag()?;
+        let interrupted = progress::interrupt_flag()?;
         let bar = progress::bar(inputs().count() as u64, "{bar:30} {pos} of {len} pictures read");
         let [before, after] = [&self.before, &self.after].map(|files| {
             self.read(files, &|| {

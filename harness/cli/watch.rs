@@ -13,7 +13,7 @@ use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 use judge::verdict::Progress;
 
-use super::{interrupt, progress};
+use super::progress;
 
 /// The template of the bar.
 fn style(count: &str) -> String {
@@ -60,7 +60,7 @@ impl Watch {
     pub fn new(most: usize, search: u32) -> Result<Self, Box<dyn Error>> {
         let bar = progress::bar(most as u64, &style("{pos} of at most {len} pictures of ours"));
         let search = Duration::from_secs(search.into());
-        let interrupted = interrupt::flag()?;
+        let interrupted = progress::interrupt_flag()?;
         let known = Arc::new(Mutex::new("nothing is known yet".to_owned()));
         let (flag, weak) = (Arc::clone(&interrupted), Arc::downgrade(&known));
         thread::spawn(move || end_in_time(flag, weak));

@@ -50,13 +50,8 @@ pub struct Plot<'a> {
 const SIZE: (u32, u32) = (640, 440);
 const FONT: &str = "sans-serif";
 /// Dark enough for paper, and different as shades of grey.
-const COLORS: [RGBColor; 5] = [
-    RGBColor(0, 0, 0),
-    RGBColor(196, 78, 0),
-    RGBColor(0, 90, 170),
-    RGBColor(0, 120, 70),
-    RGBColor(130, 60, 140),
-];
+const COLORS: [(u8, u8, u8); 5] =
+    [(0, 0, 0), (196, 78, 0), (0, 90, 170), (0, 120, 70), (130, 60, 140)];
 const GRID: RGBColor = RGBColor(205, 205, 205);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -174,7 +169,8 @@ impl Mark {
         const SQUARE: &[(i32, i32)] = &[(-4, -4), (4, -4), (4, 4), (-4, 4), (-4, -4)];
         const TRIANGLE: &[(i32, i32)] = &[(0, -5), (5, 4), (-5, 4), (0, -5)];
         const DIAMOND: &[(i32, i32)] = &[(0, -6), (5, 0), (0, 6), (-5, 0), (0, -6)];
-        let color = COLORS[index % 5];
+        let (red, green, blue) = COLORS[index % 5];
+        let color = RGBColor(red, green, blue);
         let outline = [DISK, SQUARE, TRIANGLE, DIAMOND, DISK][index % 5];
         let is_filled = [true, false, true, false, false][index % 5];
         Self { outline, color, fill: if is_filled { color } else { WHITE } }

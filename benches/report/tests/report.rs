@@ -1,11 +1,8 @@
 //! `groundtruth report`: its contents are complete and right.
 
-mod clock;
 mod html;
-mod integrands;
 mod light;
 mod markup;
-mod pairs;
 mod plots;
 mod random_samples;
 mod references;

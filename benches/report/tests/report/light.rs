@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use report::light::shown;
+use report::light::{BiasData, shown};
 use serde_json::Value;
 
 use super::{REPORT, SMALL, choices, list, number, text};
@@ -169,4 +169,17 @@ fn pictures_of_equal_time_stand_side_by_side() {
         let words = format!("{}: {} samples, ", text(&crop["choice"]), crop["samples"]);
         assert!(section.contains(&words), "{words}");
     }
+}
+
+/// Law: of two series that differ by a constant, pictures of one seed are a pair, and the interval has almost no
+/// width; the noise that both have is not in it. Oracle: the constant, relative to the mean.
+#[test]
+fn the_noise_of_pairs_is_not_in_the_interval() {
+    let truth = [1.0, 5.0, 2.0, 8.0];
+    let values = truth.map(|value| value + 0.5);
+    let bias = BiasData::paired(String::new(), &values, &truth);
+    let [value, low, high] = bias.difference.expect("four pairs");
+    assert!((value - 0.125).abs() < 1e-12 && high - low < 1e-12, "{value}: {low} to {high}");
+    let alone = BiasData::new(String::new(), &values, &truth).difference.expect("four and four");
+    assert!(alone[2] - alone[1] > 1.0, "unpaired, the noise is in the interval: {alone:?}");
 }
