@@ -302,10 +302,8 @@ fn world_of(
     if let Some(size) = size {
         let [w, h] = [scene.image.width, scene.image.height];
         if !compare::fit(&mut scene, size)? {
-            eprintln!(
-                "note: {} has the shape of {w} × {h}; as with `render --size`, its width is kept",
-                printable::name(name)
-            );
+            let (name, why) = (printable::name(name), "as with `render --size`");
+            eprintln!("note: {name} has the shape of {w} × {h}; {why}, its width is kept");
         }
     }
     let world = opened.world(&scene, DEFAULT_SEED)?;

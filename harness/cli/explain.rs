@@ -107,9 +107,8 @@ impl Explain {
         let [width, height] = world.picture_size();
         let [x, y] = pixel;
         if x >= width || y >= height {
-            return Err(
-                format!("pixel ({x}, {y}) is outside the picture of {width}x{height}").into()
-            );
+            let picture = format!("the picture of {width}x{height}");
+            return Err(format!("pixel ({x}, {y}) is outside {picture}").into());
         }
         let only = if self.all { None } else { Some(self.sample.unwrap_or(0)) };
         if let Some(index) = only.filter(|&index| index >= world.samples_per_pixel()) {

@@ -138,21 +138,16 @@ fn check(folder: &Path, names: &[String], part: PartOf) -> Outcome {
         print(&format!("checked {}, all the same\n", findings.len()))?;
         return Ok(Exit::Yes);
     }
-    let mut advice = format!(
-        "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html{}\n",
-        bad.len(),
-        findings.len(),
-        review::folder_option(folder)
-    );
+    let folder = review::folder_option(folder);
+    let mut advice = format!("{} of {} are not the same\n", bad.len(), findings.len());
+    advice += &format!("to look:   groundtruth goldens review -o review.html{folder}\n");
     for finding in bad.iter().filter(|f| f.status != GoldenStatus::Drift) {
         let to = if finding.status == GoldenStatus::NoScene { "remove" } else { "accept" };
         advice += &format!("to {to}: {}\n", review::accept_command(finding));
     }
     if bad.iter().any(|f| f.status == GoldenStatus::Drift) {
-        let folder = review::folder_option(folder);
-        advice += &format!(
-            "to accept: groundtruth goldens accept --all-drifted --because \"…\"{folder}\n"
-        );
+        let command = "groundtruth goldens accept --all-drifted --because \"…\"";
+        advice += &format!("to accept: {command}{folder}\n");
     }
     print(&advice)?;
     Ok(Exit::No)
@@ -177,8 +172,7 @@ fn line(finding: &GoldenFinding) -> String {
             let differences = compare::differences(a, b);
             let (count, pixels) = (differences.len(), a.pixels().len());
             differences.first().map_or(String::new(), |worst| {
-                let [x, y] = worst.pixel;
-                let size = worst.size;
+                let ([x, y], size) = (worst.pixel, worst.size);
                 format!(": {count} of {pixels} pixels differ, the most by {size:.1e} at ({x}, {y})")
             })
         }

@@ -132,8 +132,7 @@ impl Merge {
     fn format_of(&self, file: &Path) -> Result<Format, String> {
         let named = Format::of(file).ok().filter(|format| !format.is_for_display());
         self.format.or(named).ok_or_else(|| match output::is_standard(file) {
-            true => "-o -: say which format is written to the standard output: --format exr or pfm"
-                .to_owned(),
+            true => output::no_format("exr or pfm"),
             false => format!("{}: end the name with .exr or .pfm", file.display()),
         })
     }

@@ -121,13 +121,14 @@ pub fn tell(
 pub fn format(path: &Path, given: Option<Format>) -> Result<Format, Box<dyn Error>> {
     match given {
         Some(format) => Ok(format),
-        None if is_standard(path) => Err(format!(
-            "-o -: say which format is written to the standard output: --format {}",
-            names()
-        )
-        .into()),
+        None if is_standard(path) => Err(no_format(&names()).into()),
         None => Ok(Format::of(path)?),
     }
+}
+
+/// The error of a picture on the standard output without a format.
+pub fn no_format(names: &str) -> String {
+    format!("-o -: say which format is written to the standard output: --format {names}")
 }
 
 /// The formats' names.

@@ -177,9 +177,8 @@ impl Verify {
     ) -> Result<Option<Reference>, Box<dyn Error>> {
         let Some(file) = &self.reference else { return Ok(None) };
         if pictures.len() > 1 {
-            return Err(
-                "--reference: it is for one picture; leave it out, or judge each by itself".into(),
-            );
+            let problem = "it is for one picture; leave it out, or judge each by itself";
+            return Err(format!("--reference: {problem}").into());
         }
         if pictures[0].step.is_some() {
             return Err(format!(
@@ -256,11 +255,11 @@ fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> (String, String) {
         format!("groundtruth explain {} {x},{y}{arguments}", quoted(scene))
     };
     if let Some(worst) = verdict.regions.first() {
-        let others: String =
-            verdict.regions[1..].iter().map(|region| format!("  {}\n", explain(region))).collect();
-        let title =
-            if others.is_empty() { "" } else { "why ours has these values in other pixels:\n" };
-        return (format!("{title}{others}"), explain(worst));
+        let others = verdict.regions[1..].iter().map(|it| format!("  {}\n", explain(it)));
+        let others: String = others.collect();
+        let title = "why ours has these values in other pixels:\n";
+        let more = if others.is_empty() { others } else { title.to_owned() + &others };
+        return (more, explain(worst));
     }
     let hidden = judge::mistakes::not_shown_by(scene).unwrap_or_default().len();
     let more = match verdict.decision {
@@ -269,9 +268,8 @@ fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> (String, String) {
             format!("this scene cannot show {hidden} of the {all} known mistakes\n")
         }
         Decision::Agrees if judge::mistakes::is_file(scene) => {
-            format!(
-                "it says nothing of mistakes that this scene cannot show: {mistakes} lists them\n"
-            )
+            let about = "it says nothing of mistakes that this scene cannot show";
+            format!("{about}: {mistakes} lists them\n")
         }
         _ => String::new(),
     };

@@ -17,11 +17,16 @@ use groundtruth::shapes::textbook::EPSILON;
 use statistics::quantile;
 
 /// The kind of shape that is judged: a single shape or a composite.
-#[derive(Clone, Copy, Debug)]
-pub enum TestedShape {
-    One(hard::Kind),
-    Composite(composites::Kind),
+pub struct TestedShape {
+    /// The name of the enum variant.
+    pub name: String,
+    /// The number of rays that are timed together: their shapes fit into the processor's caches.
+    timed: usize,
+    questions: Box<dyn Fn(Family, u64, usize) -> Questions + Sync>,
 }
+
+/// The questions of a family, from a seed and a count; `None` for shapes that the library rejects.
+type Questions = Box<dyn Iterator<Item = Option<Question>>>;
 
 /// A case for both routines, and its exact answer.
 struct Question {
@@ -57,47 +62,26 @@ pub struct Judged {
 }
 
 impl TestedShape {
-    /// All kinds.
     pub fn all() -> impl Iterator<Item = Self> {
-        let one = hard::Kind::ALL.into_iter().map(TestedShape::One);
-        one.chain(composites::Kind::ALL.into_iter().map(TestedShape::Composite))
+        let one = hard::Kind::ALL.into_iter().map(Self::one);
+        one.chain(composites::Kind::ALL.into_iter().map(Self::composite))
     }
 
-    /// The name of the enum variant.
-    pub fn name(self) -> String {
-        match self {
-            TestedShape::One(kind) => format!("{kind:?}"),
-            TestedShape::Composite(kind) => format!("{kind:?}"),
-        }
+    fn one(kind: hard::Kind) -> Self {
+        let questions = move |family, seed, count| -> Questions {
+            let cases = hard::cases(kind, family, seed, count).into_iter();
+            Box::new(cases.map(move |(shape, ray)| Question::of_one(family, &shape, &ray)))
+        };
+        Self { name: format!("{kind:?}"), timed: 256, questions: Box::new(questions) }
     }
 
-    /// The number of rays that are timed together: their shapes fit into the processor's caches.
-    fn timed(self) -> usize {
-        match self {
-            TestedShape::One(_) => 256,
-            TestedShape::Composite(
-                composites::Kind::Compound | composites::Kind::Lattice | composites::Kind::Mesh,
-            ) => 64,
-            TestedShape::Composite(_) => 16,
-        }
-    }
-
-    /// The questions of a family; `None` for shapes that the library rejects.
-    fn questions(
-        self,
-        family: Family,
-        seed: u64,
-        count: usize,
-    ) -> Box<dyn Iterator<Item = Option<Question>>> {
-        match self {
-            TestedShape::One(kind) => {
-                let cases = hard::cases(kind, family, seed, count).into_iter();
-                Box::new(cases.map(move |(shape, ray)| Question::of_one(family, &shape, &ray)))
-            }
-            TestedShape::Composite(kind) => Box::new(
-                (0..count).map(move |index| Question::of_composite(kind, family, seed, index)),
-            ),
-        }
+    fn composite(kind: composites::Kind) -> Self {
+        use composites::Kind::{Compound, Lattice, Mesh};
+        let questions = move |family, seed, count| -> Questions {
+            Box::new((0..count).map(move |i| Question::of_composite(kind, family, seed, i)))
+        };
+        let timed = if matches!(kind, Compound | Lattice | Mesh) { 64 } else { 16 };
+        Self { name: format!("{kind:?}"), timed, questions: Box::new(questions) }
     }
 }
 
@@ -134,11 +118,11 @@ impl Question {
 
 impl Judged {
     /// Judges the cases whose answer does not depend on rounding.
-    pub fn new(subject: TestedShape, family: Family, seed: u64, count: usize) -> Self {
+    pub fn new(subject: &TestedShape, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
         let mut data = FamilyData { family: format!("{family:?}"), ..FamilyData::default() };
-        for question in subject.questions(family, seed, count) {
+        for question in (subject.questions)(family, seed, count) {
             let Some(Question { case, exact, condition }) = question else {
                 data.refused += 1;
                 continue;
@@ -152,7 +136,7 @@ impl Judged {
             book.add(case.textbook_hit(), case.span, &exact);
             data.hits += usize::from(!exact.roots.is_empty());
             let timed = if exact.roots.is_empty() { &mut misses } else { &mut hits };
-            if timed.len() < subject.timed() {
+            if timed.len() < subject.timed {
                 timed.push(case);
             }
         }

@@ -110,17 +110,16 @@ fn rays(kind: &str, settings: &Settings) -> usize {
 fn measure(settings: &Settings, progress: &ReportProgress) -> Result<Data, Interrupted> {
     let mut kinds = Vec::new();
     for subject in TestedShape::all() {
-        let kind = subject.name();
-        let cases = rays(&kind, settings);
+        let cases = rays(&subject.name, settings);
         let judge = |&family: &Family| {
             progress.step()?;
-            Ok(Judged::new(subject, family, settings.seed, cases))
+            Ok(Judged::new(&subject, family, settings.seed, cases))
         };
         let judged: Vec<Judged> = Family::ALL.par_iter().map(judge).collect::<Result<_, _>>()?;
         // after the parallel part, so that other threads do not disturb the times
         let families = judged.into_iter().map(timing::timed).collect();
         progress.step()?;
-        kinds.push(KindData { kind, cases, families });
+        kinds.push(KindData { kind: subject.name, cases, families });
     }
     Ok(Data { cases: settings.cases, kinds })
 }

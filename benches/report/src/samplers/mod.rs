@@ -78,12 +78,12 @@ const ONE_PERCENT: f64 = 0.01;
 const FITTED_FROM: u32 = 16;
 
 impl SamplerData {
-    fn new(sampler: String, errors: Vec<Error>, (sample_seconds, disturbed): (f64, bool)) -> Self {
+    fn new(sampler: String, errors: Vec<Error>, time: Time) -> Self {
         let far = errors.iter().filter(|e| e.samples >= FITTED_FROM);
         Self {
             sampler,
-            sample_seconds,
-            disturbed,
+            sample_seconds: time.cpu,
+            disturbed: time.is_disturbed(),
             slope: slope(far.map(|e| (e.samples, e.rms))),
             samples_for_one_percent: samples_for_one_percent(&errors),
             errors,
@@ -197,14 +197,14 @@ fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, p
     (0..sets.per_set()).map(value).sum()
 }
 
-/// The seconds for a sample of an integrand by each sampler on one thread, and whether the
-/// measurement was disturbed: the median of rounds that run all samplers.
+/// The time for a sample of an integrand by each sampler on one thread: the median of rounds that
+/// run all samplers.
 fn sample_times(
     integrand: &Integrand,
     problems: &[Problem],
     all: &[SampleSets],
     seed: u64,
-) -> Vec<(f64, bool)> {
+) -> Vec<Time> {
     const ROUNDS: usize = 9;
     let job = |sets: &SampleSets| {
         let each = |(pixel, problem)| sum(integrand, problem, sets, seed, pixel);
@@ -213,8 +213,8 @@ fn sample_times(
     let mut jobs: Vec<_> = all.iter().map(|sets| move || job(sets)).collect();
     let mut jobs: Vec<&mut dyn FnMut()> = jobs.iter_mut().map(|job| job as _).collect();
     let of_sample = |(sets, time): (&SampleSets, Time)| {
-        let seconds = time.cpu / (f64::from(sets.per_set()) * problems.len() as f64);
-        (seconds, time.is_disturbed())
+        let samples = f64::from(sets.per_set()) * problems.len() as f64;
+        Time { cpu: time.cpu / samples, wall: time.wall / samples }
     };
     all.iter().zip(medians(ROUNDS, &mut jobs)).map(of_sample).collect()
 }

@@ -55,9 +55,7 @@ fn every_scene_and_choice_is_there() {
 /// Oracle: columns by hand; 64 is the most of `report --samples 64`.
 #[test]
 fn the_last_column_has_the_most_samples_and_none_has_more() {
-    let all: [&[u32]; 6] =
-        [&[1], &[1, 4], &[1, 16], &[1, 16, 64], &[1, 16, 256], &[1, 16, 256, 1024]];
-    for columns in all {
+    for columns in [&[1][..], &[1, 4], &[1, 16, 64], &[1, 16, 256], &[1, 16, 256, 1024]] {
         assert_eq!(shown(columns[columns.len() - 1]), columns);
     }
 }
