@@ -1,5 +1,6 @@
 //! `groundtruth bounds`.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -7,7 +8,6 @@ use clap::Args;
 use exchange::framing;
 use groundtruth::math::Aabb;
 use groundtruth::printable;
-use serde::Serialize;
 
 use super::scene::SceneArguments;
 use super::{Outcome, print};
@@ -17,12 +17,6 @@ pub struct Bounds {
     /// A gallery name, a scene file, or a mesh file (.ply or .obj)
     #[arg(value_name = "SCENE")]
     scene: String,
-}
-
-/// The part of a scene file that is printed for a scene.
-#[derive(Serialize)]
-struct OnlyCamera {
-    camera: groundtruth::cameras::Viewpoint,
 }
 
 impl Bounds {
@@ -49,7 +43,8 @@ impl Bounds {
         };
         writeln!(text, "# all that end: {}\n", words(&all))?;
         text += "# a camera that sees all that end, in the direction of the scene's camera\n";
-        print(&(text + &toml::to_string(&OnlyCamera { camera: framing::camera(&scene, &all) })?))
+        let camera = BTreeMap::from([("camera", framing::camera(&scene, &all))]);
+        print(&(text + &toml::to_string(&camera)?))
     }
 }
 

@@ -10,7 +10,7 @@ use groundtruth::printable;
 use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
-use judge::verdict::{self, Areas, Case, Cause, Stored, Strictness};
+use judge::verdict::{self, Areas, Case, Cause, Stored, Strictness, Verdict};
 use pictures::compare::{self, Comparison, Hypothesis, Picture, Transfer};
 use text::shell::quoted;
 use text::told::Told;
@@ -49,19 +49,6 @@ type Ours<'a> = (&'a str, [u32; 2]);
 /// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
 pub(super) fn is_scene(name: &str) -> bool {
     gallery::find(name).is_some() || Path::new(name).extension().is_some_and(|it| it == "toml")
-}
-
-/// Why a picture is not ours.
-#[derive(Default)]
-struct Why {
-    harmless: Option<Hypothesis>,
-    known: Vec<Cause>,
-    /// Whether anything else was looked for, too.
-    is_judged: bool,
-    /// How it is read, if nothing says so.
-    note: Option<String>,
-    /// Of a JPEG that differs no more than by its compression, by how much that is.
-    loss: Option<f64>,
 }
 
 /// One side of a comparison.
@@ -111,9 +98,9 @@ impl Compare {
                 }
             }
         }
-        let mut why = Why::default();
+        let (mut verdict, mut note) = (None, None);
         if let (Some((scene, world)), false) = (&mut worlds[0], is_scene(&self.b)) {
-            why = self.why((scene, world), &films[0], &mut pictures)?;
+            (verdict, note) = self.judged((scene, world), &films[0], &mut pictures)?;
         }
         let size = |world: &World| [world.image.width, world.image.height];
         let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
@@ -121,18 +108,17 @@ impl Compare {
         let names = self.names();
         let both = [&pictures[0], &pictures[1]];
         let mut comparison = Comparison::named([&*names[0], &*names[1]], both, self.tolerance)?;
-        comparison.notes.extend(why.note);
-        comparison.loss = why.loss;
+        comparison.notes.extend(note);
+        comparison.loss = verdict.as_ref().and_then(|verdict| verdict.loss);
+        let known = verdict.as_ref().map_or(&[][..], |verdict| &verdict.causes.explained_by);
         if !comparison.is_same() {
-            comparison.known_mistakes = why.known.iter().map(Cause::to_string).collect();
-            if let Some(harmless) = why.harmless {
-                comparison.explained_by = vec![harmless];
-            } else if why.is_judged {
-                comparison.explained_by.clear();
+            comparison.known_mistakes = known.iter().map(Cause::to_string).collect();
+            if let Some(verdict) = &verdict {
+                comparison.explained_by = harmless(verdict).into_iter().collect();
             }
             self.ask_scenes(&mut comparison, &pictures, worlds);
         }
-        let next = match why.known.first().and_then(|cause| cause.name) {
+        let next = match known.first().and_then(|cause| cause.name) {
             Some(name) => format!("groundtruth mistakes {name}"),
             None => self.next(&comparison, ours),
         };
@@ -181,16 +167,16 @@ impl Compare {
 
     /// How the picture stores its values, by which it is read and our colours above 1 are mapped; and if the scene has no
     /// noise and the picture is not ours, why.
-    fn why(
+    fn judged(
         &self,
         (scene, world): (&Scene, &mut World),
         film: &Film,
         pictures: &mut [Picture],
-    ) -> Result<Why, Box<dyn Error>> {
+    ) -> Result<(Option<Verdict>, Option<String>), Box<dyn Error>> {
         let (stated, tone) = (pictures[1].stated, (scene.image.gamma, scene.image.out_of_gamut));
         let candidates = Stored::candidates(&pictures[1], stated, tone);
         let mut stored = verdict::plausible(&candidates, &pictures[1], slice::from_ref(film))[0];
-        let mut why = Why::default();
+        let (mut judged, mut note) = (None, None);
         if !compare::has_noise(world) && verdict::refusal(&pictures[1]).is_none() {
             let watch = Watch::new(Strictness::USUAL.first, 40)?;
             let case = Case {
@@ -201,23 +187,16 @@ impl Compare {
                 ..Case::new(scene, film::folder_of(Path::new(&self.a)), DEFAULT_SEED)
             };
             let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
-            let verdict = case.verdict(world, &pictures[1..], renders);
+            judged = case.verdict(world, &pictures[1..], renders);
             watch.bar.finish_and_clear();
-            if let Some(verdict) = verdict {
-                (stored, why.is_judged) = (verdict.stored, true);
-                let explained = verdict.explained.filter(|it| it.agrees);
-                why.harmless = explained
-                    .map(|it| Hypothesis { what: it.what.replace("theirs", "yours"), left: 0.0 });
-                why.known = verdict.causes.explained_by;
-                why.loss = verdict.loss;
-            }
+            stored = judged.as_ref().map_or(stored, |verdict| verdict.stored);
         }
         pictures[0] = Picture::of_film(&stored.mapped(film));
         if let (Some(transfer), None) = (stored.transfer(), stated) {
-            why.note = Some(format!("yours is read as {stored}; nothing says so (--encoding)"));
+            note = Some(format!("yours is read as {stored}; nothing says so (--encoding)"));
             pictures[1].transfer = transfer;
         }
-        Ok(why)
+        Ok((judged, note))
     }
 
     /// What the sides are called: `ours` and `yours`, if one is a scene, else as they were given.
@@ -284,6 +263,12 @@ impl Compare {
             window.unwrap_or_default()
         )
     }
+}
+
+/// What changes all pixels and explains the picture.
+fn harmless(verdict: &Verdict) -> Option<Hypothesis> {
+    let explained = verdict.explained.as_ref().filter(|it| it.agrees)?;
+    Some(Hypothesis { what: explained.what.replace("theirs", "yours"), left: 0.0 })
 }
 
 /// Whether a size has the shape of the scene of this name; `false` if that cannot be said.

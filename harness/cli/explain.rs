@@ -4,19 +4,20 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use clap::Args;
-use explain::{PixelExplanation, Shown};
+use explain::{PixelExplanation, RecordedRay, Shown};
 use groundtruth::film::Provenance;
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::columns::wrapped;
 use super::kept;
 use super::mistake::MistakeArgument;
 use super::numbers::{number, whole};
 use super::scene::{SceneArguments, option};
-use super::{Exit, Outcome, formulas, output, print};
+use super::{Exit, Outcome, output, print};
 
 #[derive(Args)]
 pub struct Explain {
@@ -73,7 +74,7 @@ pub struct Explain {
 struct Report {
     made: Provenance,
     #[serde(flatten)]
-    explanation: serde_json::Value,
+    explanation: Value,
 }
 
 impl Explain {
@@ -148,7 +149,7 @@ impl Explain {
         explanation: &PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
         let made = self.made(scene, world)?;
-        let explanation = formulas::json(explanation, self.formulas)?;
+        let explanation = explanation_json(explanation, self.formulas)?;
         Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
     }
 
@@ -172,4 +173,42 @@ impl Explain {
         ];
         text::shell::line(words.concat().iter().map(String::as_str))
     }
+}
+
+/// An explanation as JSON, in which each term has its formula if so asked.
+fn explanation_json(
+    explanation: &PixelExplanation,
+    with_formulas: bool,
+) -> serde_json::Result<Value> {
+    let mut whole = serde_json::to_value(explanation)?;
+    for (sample, data) in explanation.samples.iter().zip(list(&mut whole["samples"])) {
+        if let Some(ray) = sample.ray.as_ref().filter(|_| with_formulas) {
+            add(ray, &mut data["ray"]);
+        }
+    }
+    Ok(whole)
+}
+
+/// Adds the formulas of a ray and of all rays after it.
+fn add(ray: &RecordedRay, data: &mut Value) {
+    for (term, data) in ray.terms.iter().zip(list(&mut data["terms"])) {
+        let formula = ray.formula(term);
+        let factors = formula.factors.iter().map(|factor| {
+            json!({"symbol": factor.symbol, "number": factor.number, "value": factor.value, "divides": factor.divides})
+        });
+        data["formula"] = json!({
+            "symbols": formula.symbols(),
+            "numbers": formula.numbers(),
+            "place": formula.place,
+            "source": formula.source,
+            "factors": factors.collect::<Vec<Value>>(),
+        });
+    }
+    for (child, data) in ray.children.iter().zip(list(&mut data["children"])) {
+        add(child, data);
+    }
+}
+
+fn list(data: &mut Value) -> &mut [Value] {
+    data.as_array_mut().map_or(&mut [], Vec::as_mut_slice)
 }

@@ -12,7 +12,6 @@ mod describe;
 mod exercise;
 mod explain;
 mod export;
-mod formulas;
 mod goldens;
 mod kept;
 mod kinds;

@@ -162,7 +162,9 @@ impl Verify {
         let (more, next) = advice(arguments.name(), &verdict, &explained_with);
         let details = verdict.details() + &more + &witness;
         let told = Told { verdict: verdict.sentence(), details, next };
-        let about = format!("verify {} and {}", self.name(), arguments.name());
+        let image = self.images.first().map(|image| image.display().to_string());
+        let image = image.as_deref().unwrap_or("another renderer");
+        let about = format!("verify {image} and {}", arguments.name());
         let page = || verdict::page(&verdict, &about, &told);
         output::tell(&told, &verdict, self.json, (self.output.as_deref(), &page))?;
         Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
@@ -200,12 +202,6 @@ impl Verify {
         let (scene, world) = arguments.load_fitted(pictures[0].size, sampling)?;
         let (words, explained_with) = (String::new(), String::new());
         Ok(Witnessed { scene, world, pictures, words, explained_with })
-    }
-
-    /// What a page calls the judged picture.
-    fn name(&self) -> String {
-        let image = self.images.first().map(|image| image.display().to_string());
-        image.unwrap_or_else(|| "another renderer".to_owned())
     }
 
     /// Fails if a scene stands where a picture is meant.
