@@ -60,14 +60,6 @@ impl LayerArguments {
 }
 
 impl Content {
-    /// Whether all samples are traced for it.
-    pub fn needs_rays(&self) -> bool {
-        match self {
-            Self::Picture | Self::All(_) => true,
-            Self::One(layer) => !layer.is_of_hit(),
-        }
-    }
-
     /// Finds it; `canvas` shows the progress, and can cancel.
     pub fn render(&self, renderer: &impl Renderer, canvas: &Canvas) {
         match self {

@@ -42,7 +42,7 @@ impl Mistakes {
                 (None, _) if self.output.is_some() => {
                     Err(format!("-o: a picture is of one mistake, and {name} is none").into())
                 }
-                (None, Some(number)) => print(&of_chapter(number)?),
+                (None, Some(_)) => print(&of_chapter(name)?),
                 (None, None) => print(&of_scene(name)?),
             },
         }
@@ -60,11 +60,6 @@ fn listed(all: &[&Mistake]) -> String {
     all.iter().map(line).collect()
 }
 
-/// Few scenes that show all mistakes of a chapter such as `ch28`.
-pub fn of_chapter_named(name: &str) -> Outcome {
-    print(&of_chapter(chapter_named(name)?)?)
-}
-
 /// The number of a chapter that is written as `ch28`.
 pub fn chapter_named(name: &str) -> Result<u32, String> {
     chapter(name).ok_or_else(|| format!("{name}: a chapter is written as ch28"))
@@ -75,7 +70,9 @@ pub fn none_of_chapter(chapter: u32) -> String {
     format!("no known mistakes of chapter {chapter}; `groundtruth mistakes` lists all")
 }
 
-fn of_chapter(chapter: u32) -> Result<String, String> {
+/// Few scenes that show all mistakes of a chapter such as `ch28`.
+pub fn of_chapter(name: &str) -> Result<String, String> {
+    let chapter = chapter_named(name)?;
     let Cover { scenes, never_shown } = mistakes::fewest_scenes(chapter);
     if scenes.is_empty() && never_shown.is_empty() {
         return Err(none_of_chapter(chapter));

@@ -108,7 +108,8 @@ impl Render {
         let canvas = Arc::new(Canvas::cropped(crop));
         let notes = explain::notes(scene, world);
         notes.iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
-        if content.needs_rays() {
+        let is_of_hits = matches!(&content, Content::One(layer) if layer.is_of_hit());
+        if !is_of_hits {
             let rays = RaysPerSample::measured(world, MAX_COUNTED);
             let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
             rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));

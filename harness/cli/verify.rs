@@ -23,7 +23,7 @@ use super::numbers::{number, whole};
 use super::scene::SceneArguments;
 use super::watch::Watch;
 use super::witness::{By, Witnessed};
-use super::{Exit, Outcome, announce, mistakes, output, replicas, sets};
+use super::{Exit, Outcome, announce, mistakes, output, print, replicas, sets};
 
 #[derive(Args)]
 pub struct Verify {
@@ -113,7 +113,7 @@ fn margin(text: &str) -> Result<f64, String> {
 impl Verify {
     pub fn run(self) -> Outcome {
         if let Some(chapter) = &self.scenes {
-            return mistakes::of_chapter_named(chapter);
+            return print(&mistakes::of_chapter(chapter)?);
         }
         if !self.before.is_empty() {
             return self.sets();

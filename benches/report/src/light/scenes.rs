@@ -23,9 +23,6 @@ pub struct LightScene {
     pub about: &'static str,
     #[serde(skip)]
     pub scene: fn() -> Scene,
-    /// The width of its pictures is divided by this number, for slow scenes.
-    #[serde(skip)]
-    pub part: u32,
 }
 
 /// The `max_depth` of every tracer and of the reference.
@@ -37,7 +34,6 @@ pub static SUBJECTS: [LightScene; 5] = [
         about: "Matte walls and blocks under a small area light (figure 26.12), with light reflected \
                 between the walls.",
         scene: || of_gallery("ch26/cornell-box"),
-        part: 1,
     },
     LightScene {
         name: "glossy hall",
@@ -45,28 +41,24 @@ pub static SUBJECTS: [LightScene; 5] = [
                 at the positions of the book's point lights: light is reflected many times between \
                 mirrors.",
         scene: glossy_hall,
-        part: 1,
     },
     LightScene {
         name: "glass over checker",
         about: "A glass ball over a checker, under a square area light: only paths that hit the light by \
                 chance find the light through the glass.",
         scene: glass_over_checker,
-        part: 1,
     },
     LightScene {
         name: "caustic ring",
         about: "Half a cylinder with a mirror inside, whose caustic on the ground is a cardioid (figure \
                 26.9): only paths that hit the small light by chance through the mirror find it.",
         scene: || of_gallery("ch26/half-cylinder-caustic"),
-        part: 1,
     },
     LightScene {
         name: "many small lights",
         about: "36 small area lights above matte balls, not in the picture: all of them are sampled at \
                 each hit, which takes long; paths without sampling rarely hit one.",
         scene: many_small_lights,
-        part: 2,
     },
 ];
 
@@ -122,10 +114,11 @@ impl LightScene {
         *self.methods().last().expect("every scene has methods")
     }
 
-    /// The scene with this method, `width` (divided by `part`) pixels wide.
+    /// The scene with this method, `width` pixels wide; half as wide if it is slow.
     pub fn scene(&self, method: Method, width: u32) -> Scene {
         let mut scene = (self.scene)();
-        let width = (width / self.part).max(1);
+        // many lights are slow
+        let width = if scene.lights.len() > 10 { (width / 2).max(1) } else { width };
         let height = (width * scene.image.height).div_ceil(scene.image.width);
         scene.image.resize(width, height);
         scene.image.sampler = Some(MultiJittered {}.into());
