@@ -126,7 +126,7 @@ impl Verify {
         };
         let Some(witnessed) = witnessed else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
-        output::check_distinct(&self.output, &arguments.files_of(&scene))?;
+        output::check_distinct(&self.output, arguments.files_of(&scene))?;
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
         let asked = arguments.seed;
