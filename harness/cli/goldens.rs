@@ -33,7 +33,7 @@ enum Command {
         names: Vec<String>,
         /// Check only every N-th of them, from K on, such as 0/8, so that N machines share the work; K is from 0 to
         /// N − 1
-        #[arg(long, value_name = "K/N")]
+        #[arg(long, value_name = "K/N", value_parser = PartOf::parse)]
         part: Option<PartOf>,
     },
     /// Write one HTML page: of each golden that differs the expected and the actual picture, side by side, to flip

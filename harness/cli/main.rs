@@ -133,7 +133,7 @@ enum Command {
     /// 1.5}},
     /// and gets one line with its answer. docs/probe.md describes the questions. The exit status
     /// is 2 if any line got an error.
-    Probe(probe::Probe),
+    Probe,
     /// Measure speed against error on this machine: one HTML page, and its data
     ///
     /// Writes index.html, a self-contained page, and report.json. The pages are: intersections (the
@@ -174,7 +174,7 @@ fn main() -> ExitCode {
         Command::Mistakes(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Goldens(command) => command.run(),
-        Command::Probe(command) => command.run(),
+        Command::Probe => probe::run(),
         Command::Report(command) => command.run(),
     };
     match outcome {

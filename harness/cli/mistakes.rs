@@ -98,7 +98,16 @@ fn of_scene(name: &str) -> Result<String, Box<dyn Error>> {
             let shown = table::shown(&mistakes::all(), &scene, folder)?;
             shown.into_iter().map(|(mistake, _)| mistake).collect()
         }
-        None => return Err(unknown(name).into()),
+        None => {
+            let scenes = gallery::scenes().map(|entry| entry.name);
+            let names: Vec<&str> = scenes.chain(mistakes::all().iter().map(|it| it.name)).collect();
+            let similar = similar::did_you_mean(name, &names);
+            return Err(format!(
+                "no scene of the gallery (`groundtruth list`) and no mistake (`groundtruth mistakes`) is called \
+                 `{name}`{similar}"
+            )
+            .into());
+        }
     };
     let hidden = mistakes::others(&shown);
     let name = printable::name(name);
@@ -109,17 +118,6 @@ fn of_scene(name: &str) -> Result<String, Box<dyn Error>> {
         text += &format!("{}  {}; {best}\n", mistake.name, mistake.words);
     }
     Ok(text)
-}
-
-/// The error for a name that is neither a scene nor a mistake.
-fn unknown(name: &str) -> String {
-    let scenes = gallery::scenes().map(|entry| entry.name);
-    let names: Vec<&str> = scenes.chain(mistakes::all().iter().map(|it| it.name)).collect();
-    let similar = similar::did_you_mean(name, &names);
-    format!(
-        "no scene of the gallery (`groundtruth list`) and no mistake (`groundtruth mistakes`) is called \
-         `{name}`{similar}"
-    )
 }
 
 /// Measures all scenes, with the progress on a terminal.

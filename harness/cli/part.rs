@@ -1,7 +1,5 @@
 //! `--part K/N`: work that several machines share.
 
-use std::str::FromStr;
-
 use pictures::sums::Seeds;
 
 /// `K/N`: one of N parts, counted from 0.
@@ -18,13 +16,11 @@ impl Default for PartOf {
     }
 }
 
-impl FromStr for PartOf {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers =
-            text.split_once('/').and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
-        match numbers {
+impl PartOf {
+    /// Parses `K/N`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('/');
+        match parts.and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?))) {
             Some((index, count)) if index < count => Ok(Self { index, count }),
             Some((_, count)) if count > 0 => {
                 Err(format!("the parts of {count} are 0/{count} to {}/{count}", count - 1))
@@ -32,9 +28,7 @@ impl FromStr for PartOf {
             _ => Err("a part is written as 0/8".to_owned()),
         }
     }
-}
 
-impl PartOf {
     /// Its contiguous share of the seeds from `first` on.
     ///
     /// # Errors

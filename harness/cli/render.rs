@@ -39,7 +39,7 @@ pub struct Render {
     #[arg(conflicts_with_all = ["crop", "stereo", "mistake"])]
     replicas: Option<u32>,
     /// Render only the replicas of part K of N, such as 0/8; K is from 0 to N − 1
-    #[arg(long, value_name = "K/N", requires = "replicas")]
+    #[arg(long, value_name = "K/N", value_parser = PartOf::parse, requires = "replicas")]
     part: Option<PartOf>,
     /// Render only a part: X,Y,WxH from the top left
     #[arg(long, value_name = "X,Y,WxH", value_parser = scene::crop)]

@@ -21,12 +21,10 @@ pub struct Stage {
     /// Builds approximately this number of objects from a seed.
     #[serde(skip)]
     pub objects: fn(u32, u64) -> Objects,
-    /// The position of the camera.
+    /// The position of the camera, and half the width of the picture in the plane through the
+    /// origin.
     #[serde(skip)]
-    pub eye: Point,
-    /// Half the width of the picture, measured in the plane through the origin.
-    #[serde(skip)]
-    pub half_width: f64,
+    pub view: (Point, f64),
 }
 
 /// The objects of a scene.
@@ -49,8 +47,7 @@ pub static STAGES: [Stage; 4] = [
         about: "Random spheres in a cube, whose total volume is always the same fraction of it \
                 (figure 22.11): the best case for a regular grid.",
         objects: |n, seed| Objects::new(spheres(n, seed, 1.0)),
-        eye: Point::new(0.0, 0.0, 20.0),
-        half_width: 200.0 / 3600.0 * 20.0,
+        view: (Point::new(0.0, 0.0, 20.0), 200.0 / 3600.0 * 20.0),
     },
     Stage {
         name: "teapot in a stadium",
@@ -58,22 +55,19 @@ pub static STAGES: [Stage; 4] = [
                 boxes on a floor: the picture shows only the spheres. A grid over the whole scene has \
                 them all in one cell.",
         objects: stadium,
-        eye: Point::new(0.0, 0.01, 0.01),
-        half_width: 200.0 / 3600.0 * 20.0 * TEAPOT,
+        view: (Point::new(0.0, 0.01, 0.01), 200.0 / 3600.0 * 20.0 * TEAPOT),
     },
     Stage {
         name: "bumpy mesh",
         about: "A sphere of triangles with bumps of 15 %, similar to a scanned model.",
         objects: bumpy,
-        eye: Point::new(0.5, 1.0, 4.0),
-        half_width: 1.2,
+        view: (Point::new(0.5, 1.0, 4.0), 1.2),
     },
     Stage {
         name: "tessellated sphere",
         about: "A sphere of triangles (figure 23.1), long and thin ones at the poles.",
         objects: |n, _| of_mesh(sphere_mesh(n)),
-        eye: Point::new(0.5, 1.0, 4.0),
-        half_width: 1.2,
+        view: (Point::new(0.5, 1.0, 4.0), 1.2),
     },
 ];
 
@@ -83,12 +77,13 @@ const TEAPOT: f64 = 0.0005;
 impl Stage {
     /// The rays of a picture of `side` × `side` pixels, row by row.
     pub fn rays(&self, side: u32) -> Vec<Ray> {
-        let back = self.eye.to_vector();
+        let (eye, half_width) = self.view;
+        let back = eye.to_vector();
         let Some(frame) = Frame::looking(back, Vector::Y) else { return Vec::new() };
-        let film = |i: u32| self.half_width * (2.0 * (f64::from(i) + 0.5) / f64::from(side) - 1.0);
+        let film = |i: u32| half_width * (2.0 * (f64::from(i) + 0.5) / f64::from(side) - 1.0);
         let ray = |i: u32| {
             let local = Vector::new(film(i % side), -film(i / side), -back.length());
-            Ray::new(self.eye, frame.to_world(local))
+            Ray::new(eye, frame.to_world(local))
         };
         (0..side * side).map(ray).collect()
     }
