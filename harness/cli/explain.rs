@@ -141,7 +141,6 @@ impl Explain {
         }
     }
 
-    /// What --json prints.
     fn report(
         &self,
         scene: &Scene,
@@ -153,7 +152,6 @@ impl Explain {
         Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
     }
 
-    /// How the pixel was made.
     fn made(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
         let mut made = self.scene.provenance(scene, world)?;
         made.mistake = self.mistake.name().map(str::to_owned);

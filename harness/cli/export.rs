@@ -11,7 +11,6 @@ use super::scene::SceneArguments;
 use super::witness::{self, By};
 use super::{Exit, Outcome, output, print};
 
-/// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// A scene file
@@ -99,7 +98,6 @@ impl Export {
         self.write(&said.text)
     }
 
-    /// Writes the text to the output.
     fn write(&self, text: &str) -> Outcome {
         let Some(output) = self.file() else { return print(text) };
         self.write_to(output, text.as_bytes())?;

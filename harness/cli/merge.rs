@@ -79,7 +79,6 @@ impl Merge {
         output::say(&self.told(merged).text(), to_output)
     }
 
-    /// What is told of a sum.
     fn told(&self, merged: &Merged) -> Told {
         let (header, missing) = (merged.sums.header(), merged.missing());
         let done = header.seeds.count();
@@ -128,7 +127,6 @@ impl Merge {
         output::write(file, &film::encode(film, &Tone::PLAIN, self.format_of(file)?, made)?)
     }
 
-    /// The format of a picture.
     fn format_of(&self, file: &Path) -> Result<Format, String> {
         let named = Format::of(file).ok().filter(|format| !format.is_for_display());
         self.format.or(named).ok_or_else(|| match output::is_standard(file) {

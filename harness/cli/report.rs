@@ -47,8 +47,14 @@ impl Report {
         let pages = self.pages()?;
         report::check_folder(&self.output)?;
         start_threads(self.threads)?;
-        let settings = self.settings();
-
+        let size = if self.quick { Settings::QUICK } else { Settings::FULL };
+        let settings = Settings {
+            seed: self.seed,
+            cases: self.cases.map_or(size.cases, |cases| cases as usize),
+            objects: self.objects.unwrap_or(size.objects),
+            samples: self.samples.unwrap_or(size.samples),
+            ..size
+        };
         let measured = Arc::new(ReportProgress::default());
         let on_interrupt = Arc::clone(&measured);
         ctrlc::set_handler(move || on_interrupt.interrupt())?;
@@ -78,16 +84,5 @@ impl Report {
         // each once, in the order of the report
         let wanted = |page: &Page| self.only.iter().any(|name| name == page.name);
         Ok(PAGES.iter().copied().filter(wanted).collect())
-    }
-
-    fn settings(&self) -> Settings {
-        let size = if self.quick { Settings::QUICK } else { Settings::FULL };
-        Settings {
-            seed: self.seed,
-            cases: self.cases.map_or(size.cases, |cases| cases as usize),
-            objects: self.objects.unwrap_or(size.objects),
-            samples: self.samples.unwrap_or(size.samples),
-            ..size
-        }
     }
 }

@@ -22,15 +22,12 @@ fn style(count: &str) -> String {
 
 /// Renders our pictures, shows how many there are, and stops when the user interrupts.
 pub struct Watch {
-    /// Counts the pictures.
     pub bar: ProgressBar,
-    /// Set by the user.
     pub interrupted: Arc<AtomicBool>,
     /// How long causes of a difference are looked for, in processor time.
     search: Duration,
     /// The processor time when that began.
     began: OnceLock<ProcessTime>,
-    /// What is known so far.
     known: Arc<Mutex<String>>,
 }
 

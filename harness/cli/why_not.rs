@@ -17,11 +17,9 @@ struct Report {
     made: Provenance,
     pixel: [u32; 2],
     sample: u32,
-    /// The answer in one sentence.
     sentence: String,
     #[serde(flatten)]
     why_not: WhyNot,
-    /// A command that tells more.
     next: String,
 }
 

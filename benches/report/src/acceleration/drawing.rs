@@ -98,7 +98,6 @@ fn best(stage: &StageData, objects: usize) -> Option<&Run> {
     rivals.min_by(|a, b| a.picture_seconds.total_cmp(&b.picture_seconds))
 }
 
-/// The recommendation.
 fn advice(data: &Data) -> String {
     let names = structures(&data.stages);
     let largest = data.stages.iter().flat_map(sizes).max();

@@ -72,7 +72,6 @@ fn words(name: &str) -> String {
     }
 }
 
-/// The recommendation.
 fn advice(all: &[Summary<'_>]) -> String {
     let judged = count(all.iter().map(|s| s.kind.judged()).sum());
     let failed: usize = all.iter().map(|s| s.ours.failures()).sum();
@@ -117,7 +116,6 @@ fn with_routine<R>(table: Table<R>, of: fn(&R) -> &Routine) -> Table<R> {
         .column("miss, ns", |row| rough_or_dash(of(row).miss_ns))
 }
 
-/// All kinds.
 fn overview(all: &[Summary<'_>]) -> Element {
     let caption = "All families: errors in u·cond of the family where they are largest; times on \
                    ordinary rays";
