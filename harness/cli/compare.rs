@@ -71,8 +71,7 @@ impl Compare {
         let inputs = [&self.a, &self.b].map(Path::new);
         output::once(inputs, "input")?;
         output::check_distinct(&self.output, inputs)?;
-        let is_ours_last = is_scene(&self.b) && !is_scene(&self.a);
-        if is_ours_last {
+        if is_scene(&self.b) && !is_scene(&self.a) {
             // the first is what the other is held against
             std::mem::swap(&mut self.a, &mut self.b);
         }

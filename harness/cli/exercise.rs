@@ -66,13 +66,9 @@ impl Exercise {
             return Err(mistakes::none_of_chapter(chapter).into());
         }
         let level_name = self.level.to_possible_value().expect("no level is hidden");
-        let command = format!(
-            "groundtruth exercise {} -o FOLDER --count {} --seed {seed} --level {} --width {}",
-            self.chapter,
-            self.count,
-            level_name.get_name(),
-            self.width
-        );
+        let (count, name, width) = (self.count, level_name.get_name(), self.width);
+        let options = format!("--count {count} --seed {seed} --level {name} --width {width}");
+        let command = format!("groundtruth exercise {} -o FOLDER {options}", self.chapter);
         let sheet = exercise::sheet(chapter, level, &tasks).into_bytes();
         let key = exercise::key(chapter, &command, &tasks)?.into_bytes();
         let mut files: Vec<File> =

@@ -44,11 +44,9 @@ impl MistakeArgument {
         let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed)?;
         let KnownMistake { name, words, .. } = mistake.known();
         if mistaken.is_none() {
-            return Err(format!(
-                "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
-                 that show it"
-            )
-            .into());
+            let hint = format!("`groundtruth mistakes {name}` lists scenes that show it");
+            let problem = format!("the scene has nothing that {name} changes ({words}); {hint}");
+            return Err(problem.into());
         }
         Ok(mistaken)
     }
@@ -62,10 +60,8 @@ pub fn note_if_not_shown(
 ) -> Result<(), Box<dyn Error>> {
     let KnownMistake { name, .. } = mistaken.mistake().known();
     if table::shown(&[mistaken.mistake()], scene, arguments.files_folder())?.is_empty() {
-        eprintln!(
-            "note: this scene does not show {name}: it changes hardly a pixel; `groundtruth mistakes {name}` lists \
-             scenes that do"
-        );
+        let hint = format!("`groundtruth mistakes {name}` lists scenes that do");
+        eprintln!("note: this scene does not show {name}: it changes hardly a pixel; {hint}");
     }
     Ok(())
 }

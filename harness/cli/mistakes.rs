@@ -102,11 +102,9 @@ fn of_scene(name: &str) -> Result<String, Box<dyn Error>> {
             let scenes = gallery::scenes().map(|entry| entry.name);
             let names: Vec<&str> = scenes.chain(mistakes::all().iter().map(|it| it.name)).collect();
             let similar = similar::did_you_mean(name, &names);
-            return Err(format!(
-                "no scene of the gallery (`groundtruth list`) and no mistake (`groundtruth mistakes`) is called \
-                 `{name}`{similar}"
-            )
-            .into());
+            let scenes = "scene of the gallery (`groundtruth list`)";
+            let wrong = "mistake (`groundtruth mistakes`)";
+            return Err(format!("no {scenes} and no {wrong} is called `{name}`{similar}").into());
         }
     };
     let hidden = mistakes::others(&shown);

@@ -85,13 +85,9 @@ impl SceneArguments {
         let mut scene = opened.scene.clone();
         let (width, height) = (scene.image.width, scene.image.height);
         if !compare::fit(&mut scene, size)? {
-            let [columns, rows] = size;
-            return Err(format!(
-                "the picture has {columns} × {rows} pixels, and {} the shape of {width} × {height}; render it in \
-                 this shape",
-                self.scene
-            )
-            .into());
+            let ([columns, rows], name) = (size, &self.scene);
+            let shape = format!("{name} the shape of {width} × {height}; render it in this shape");
+            return Err(format!("the picture has {columns} × {rows} pixels, and {shape}").into());
         }
         self.change(&mut scene)?;
         scene.image.samples = samples.unwrap_or(scene.image.samples);

@@ -195,18 +195,8 @@ impl Verify {
         Ok(Some(Reference::new(&sums, &scene).map_err(problem)?))
     }
 
-    /// The pictures that were given, and the scene at their size.
-    fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
-        let pictures = self.pictures()?;
-        let sampling = (self.their_samples, self.their_sampler.as_ref());
-        let (scene, world) = arguments.load_fitted(pictures[0].size, sampling)?;
-        let (words, explained_with) = (String::new(), String::new());
-        Ok(Witnessed { scene, world, pictures, words, explained_with })
-    }
-
     /// Fails if a scene stands where a picture is meant.
-    fn check_order(&self) -> Result<(), String> {
-        let scene = self.scene.as_ref().map_or("", SceneArguments::name);
+    fn check_order(&self, scene: &str) -> Result<(), String> {
         let names = self.images.iter().map(|image| image.to_string_lossy());
         let Some(other) = names.into_iter().find(|name| is_scene(name)) else { return Ok(()) };
         let [first, second] = [scene, &other].map(quoted);
@@ -218,12 +208,12 @@ impl Verify {
         Err(format!("{name} is a scene, not a picture; did you mean `groundtruth {command}`?"))
     }
 
-    /// The pictures, all of one size and without values that are no numbers.
-    fn pictures(&self) -> Result<Vec<Picture>, Box<dyn Error>> {
-        let scene = self.scene.as_ref().map(|scene| Path::new(scene.name()));
-        let inputs = || self.images.iter().map(PathBuf::as_path).chain(scene);
+    /// The pictures that were given, all of one size and without values that are no numbers, and the scene at their size.
+    fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
+        let scene = Path::new(arguments.name());
+        let inputs = || self.images.iter().map(PathBuf::as_path).chain([scene]);
         output::once(inputs(), "input")?;
-        self.check_order()?;
+        self.check_order(arguments.name())?;
         output::check_distinct(&self.output, inputs().chain(self.reference.as_deref()))?;
         let mut pictures: Vec<Picture> = Vec::new();
         for file in &self.images {
@@ -238,7 +228,10 @@ impl Verify {
         sets::check_seeds(&pictures, &self.images, why)?;
         let names: Vec<_> = self.images.iter().map(|file| file.to_string_lossy()).collect();
         announce::notes(names.iter().map(|name| &**name).zip(&pictures));
-        Ok(pictures)
+        let sampling = (self.their_samples, self.their_sampler.as_ref());
+        let (scene, world) = arguments.load_fitted(pictures[0].size, sampling)?;
+        let (words, explained_with) = (String::new(), String::new());
+        Ok(Witnessed { scene, world, pictures, words, explained_with })
     }
 }
 

@@ -64,7 +64,10 @@ impl Verify {
             return Err("--their-samples: this scene has no random numbers; leave it out".into());
         }
         let samples = if is_noiseless { 1 } else { self.their_samples.unwrap_or(SAMPLES) };
-        let mut scene = sampled(scene, samples);
+        // patterns that we choose ourselves, and linear values
+        let image = &mut scene.image;
+        (image.samples, image.sampler) = (samples, None);
+        (image.filter, image.gamma) = (filters::Kind::default(), 1.0);
         let folder = arguments.files_folder();
         let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed);
         let said = |scene: &Scene| said(target, (arguments.name(), "scene"), scene, folder);
@@ -100,14 +103,6 @@ fn left_out(without: &[Term]) -> String {
     let is_out = |(_, term): &(&str, Term)| without.contains(term);
     let names: Vec<&str> = Term::ALL.into_iter().filter(is_out).map(|(name, _)| name).collect();
     if names.is_empty() { String::new() } else { format!(", both without {}", names.join(" and ")) }
-}
-
-/// The scene with so many samples per pixel, by the patterns that we choose ourselves, and linear values.
-fn sampled(mut scene: Scene, samples: u32) -> Scene {
-    let image = &mut scene.image;
-    (image.samples, image.sampler) = (samples, None);
-    (image.filter, image.gamma) = (filters::Kind::default(), 1.0);
-    scene
 }
 
 /// The scene in the language of the other renderer, under its name and with files whose names begin with a stem; `None`

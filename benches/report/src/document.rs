@@ -27,7 +27,7 @@ impl Report {
         };
         let body = several()
             .with(heading(1, "Choose by evidence"))
-            .with(group("about").with(measured(&self.provenance, self.settings.seed)))
+            .with(group("about").with(measured(&self.provenance, self.seed)))
             .with(list(pages().map(link)))
             .with_all(pages().map(section));
         page("Groundtruth: report", &[STYLE], &body.html())

@@ -131,7 +131,7 @@ impl Settings {
 /// A finished report.
 pub struct Report {
     provenance: Provenance,
-    settings: Settings,
+    seed: u64,
     chapters: Vec<(Page, Findings)>,
 }
 
@@ -145,11 +145,9 @@ pub fn run(
     progress: &ReportProgress,
 ) -> Result<Report, Interrupted> {
     progress.begin(pages.iter().map(|page| (page.steps)(settings)).sum());
-    let mut chapters = Vec::new();
-    for page in pages {
-        chapters.push((*page, (page.measure)(settings, progress)?));
-    }
-    Ok(Report { provenance: Provenance::current(), settings: settings.clone(), chapters })
+    let measured = pages.iter().map(|page| Ok((*page, (page.measure)(settings, progress)?)));
+    let chapters = measured.collect::<Result<_, _>>()?;
+    Ok(Report { provenance: Provenance::current(), seed: settings.seed, chapters })
 }
 
 impl Report {
@@ -159,7 +157,7 @@ impl Report {
         let pages: serde_json::Map<String, Value> = self.chapters.iter().map(data).collect();
         let whole = json!({
             "provenance": self.provenance,
-            "seed": self.settings.seed,
+            "seed": self.seed,
             "pages": pages,
         });
         format!("{whole:#}\n")

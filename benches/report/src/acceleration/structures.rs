@@ -38,14 +38,12 @@ impl Structure {
     /// Builds it over the objects; `mesh` has its own, which counts no tests.
     pub fn build(self, objects: &Objects, mesh: Option<&TriangleMesh>) -> BuiltStructure {
         let over = |group: &Range<usize>| &objects.bounds[group.clone()];
-        match (self, mesh) {
-            (Self::Plain(method), Some(mesh)) => {
-                BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method)))
-            }
-            (Self::Plain(method), None) => {
-                BuiltStructure::Plain(Accel::build(method, &objects.bounds))
-            }
-            (Self::Nested(method), _) => {
+        match self {
+            Self::Plain(method) => match mesh {
+                Some(mesh) => BuiltStructure::Mesh(Box::new(mesh.clone().accelerated(method))),
+                None => BuiltStructure::Plain(Accel::build(method, &objects.bounds)),
+            },
+            Self::Nested(method) => {
                 let whole = |group| over(group).iter().fold(Aabb::EMPTY, |a, b| a.union(*b));
                 let bounds: Vec<Aabb> = objects.groups.iter().map(whole).collect();
                 let of_group = |group| Accel::build(method, over(group));

@@ -124,9 +124,8 @@ fn summary(data: &Data) -> Element {
         .caption("Time for the same noise, as a multiple of the shortest")
         .column("choice", |choice| &choice.name);
     for scene in &data.scenes {
-        let cell = |here| ratio_or_biased(scene, here);
         table = table.column(scene.subject.name, |choice| {
-            named(scene, choice).map_or(DASH.to_owned(), cell)
+            named(scene, choice).map_or(DASH.to_owned(), |here| ratio_or_biased(scene, here))
         });
     }
     table.element()

@@ -144,7 +144,8 @@ fn details(data: &IntegrandData) -> Element {
         .column("slope", |s| s.slope.map_or(DASH.to_owned(), slope))
         .column("samples for 1 %", |s| samples_needed(s))
         .column("seconds for 1 %", |s| {
-            flagged(s.seconds_for_one_percent().map_or(DASH.to_owned(), time), s.disturbed)
+            let seconds = s.samples_for_one_percent.map(|samples| samples * s.sample_seconds);
+            flagged(seconds.map_or(DASH.to_owned(), time), s.disturbed)
         })
         .element()
 }

@@ -94,11 +94,6 @@ impl SamplerData {
     fn error(&self, samples: u32) -> Option<f64> {
         Some(self.errors.iter().find(|e| e.samples == samples)?.rms)
     }
-
-    /// The time for an error of 1 % in one pixel.
-    fn seconds_for_one_percent(&self) -> Option<f64> {
-        Some(self.samples_for_one_percent? * self.sample_seconds)
-    }
 }
 
 /// The number of samples from which on the error is at most 1 %.
