@@ -5,13 +5,7 @@ use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
 
-use super::changes::NOT_INVERTED;
-use super::{How, Mistake, ObservedRay, ObservedSurface, ObservedTerm};
-
-const SCHLICK: Mistake =
-    Mistake::factor("schlick", |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))));
-
-const NO_ABSORPTION: Mistake = Mistake::ray("no-absorption", |ray| ray.sum);
+use super::{Mistake, ObservedRay, ObservedSurface, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::factor("no-eta-squared", |term| refracted(term).map(|eta| eta * eta)),
@@ -28,49 +22,36 @@ pub(super) const ALL: &[Mistake] = &[
         Lobe::PerfectTransmitter(lobe) => Some(1.0 / lobe.transmittance),
         _ => None,
     }),
-    NOT_INVERTED.in_form(
-        "in Fresnel's equations alone",
-        How::Factor(|term| {
-            inside(term)?;
-            with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
-        }),
-    ),
-    NOT_INVERTED.in_form("in the factor 1/η² alone", How::Factor(factor_inside)),
-    SCHLICK,
-    SCHLICK.in_form(
-        "with the larger of both angles",
-        How::Factor(|term| {
-            with_fresnel(term, |cos_i, eta| shares(schlick(cosine_in_air(cos_i, eta), eta)))
-        }),
-    ),
-    Mistake::factor("fresnel-swapped", |term| {
-        with_fresnel(term, |cos_i, eta| {
-            let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
-            Fresnel { reflected: transmitted, transmitted: reflected }
-        })
-    }),
-    Mistake::factor("fresnel-perpendicular-only", |term| {
-        with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).s)
-    }),
-    Mistake::factor("fresnel-parallel-only", |term| {
-        with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).p)
-    }),
-    Mistake::factor("fresnel-without-half", |term| {
-        with_fresnel(term, |cos_i, eta| shares((2.0 * fresnel(cos_i, eta).reflected).min(1.0)))
-    }),
-    Mistake::factor("fresnel-transmits-all", |term| {
-        with_fresnel(term, |cos_i, eta| Fresnel { transmitted: 1.0, ..fresnel(cos_i, eta) })
-    }),
-    Mistake::factor("fresnel-index-inverted", |term| {
+    Mistake::term("eta-not-inverted", |term| {
+        inside(term)?;
         with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
+    })
+    .form("in Fresnel's equations alone"),
+    Mistake::factor("eta-not-inverted", factor_inside).form("in the factor 1/η² alone"),
+    Mistake::fresnel("schlick", |cos_i, eta| shares(schlick(cos_i, eta))),
+    Mistake::fresnel("schlick", |cos_i, eta| shares(schlick(cosine_in_air(cos_i, eta), eta)))
+        .form("with the larger of both angles"),
+    Mistake::fresnel("fresnel-swapped", |cos_i, eta| {
+        let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
+        Fresnel { reflected: transmitted, transmitted: reflected }
     }),
-    NO_ABSORPTION,
-    NO_ABSORPTION
-        .in_form("along reflected rays", How::Ray(|ray| not_along(ray, RayKind::Reflected))),
-    NO_ABSORPTION
-        .in_form("along transmitted rays", How::Ray(|ray| not_along(ray, RayKind::Transmitted))),
-    NO_ABSORPTION
-        .in_form("along the camera's rays", How::Ray(|ray| not_along(ray, RayKind::Camera))),
+    Mistake::fresnel("fresnel-perpendicular-only", |cos_i, eta| polarised(cos_i, eta).s),
+    Mistake::fresnel("fresnel-parallel-only", |cos_i, eta| polarised(cos_i, eta).p),
+    Mistake::fresnel("fresnel-without-half", |cos_i, eta| {
+        shares((2.0 * fresnel(cos_i, eta).reflected).min(1.0))
+    }),
+    Mistake::fresnel("fresnel-transmits-all", |cos_i, eta| Fresnel {
+        transmitted: 1.0,
+        ..fresnel(cos_i, eta)
+    }),
+    Mistake::fresnel("fresnel-index-inverted", |cos_i, eta| fresnel(cos_i, 1.0 / eta)),
+    Mistake::ray("no-absorption", |ray| ray.sum),
+    Mistake::ray("no-absorption", |ray| not_along(ray, RayKind::Reflected))
+        .form("along reflected rays"),
+    Mistake::ray("no-absorption", |ray| not_along(ray, RayKind::Transmitted))
+        .form("along transmitted rays"),
+    Mistake::ray("no-absorption", |ray| not_along(ray, RayKind::Camera))
+        .form("along the camera's rays"),
     Mistake::ray("absorption-without-distance", |ray| absorption_over(ray, |t| 1.0 / t)),
     Mistake::ray("absorption-twice", |ray| absorption_over(ray, |_| 2.0)),
 ];
@@ -100,18 +81,21 @@ fn is_mirrored(term: &ObservedTerm<'_>) -> bool {
     matches!(term.traced(), Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)))
 }
 
-/// The factor of a term with other shares than Fresnel's. Total internal reflection stays as it is.
-fn with_fresnel(term: &ObservedTerm<'_>, shares: impl Fn(f64, f64) -> Fresnel) -> Option<f64> {
+/// The value of a term with other shares than Fresnel's. Total internal reflection stays as it is.
+pub(super) fn with_fresnel(
+    term: &ObservedTerm<'_>,
+    shares: fn(f64, f64) -> Fresnel,
+) -> Option<Rgb> {
     let surface = surface(term).filter(|surface| !surface.reflects_totally())?;
     let (cos_i, eta) = (surface.cos_o().abs(), surface.eta()?);
-    share_over(term, [shares(cos_i, eta), fresnel(cos_i, eta)])
+    with_share(term, [shares(cos_i, eta), fresnel(cos_i, eta)])
 }
 
-/// The share of the term's lobe over that of ours.
-fn share_over(term: &ObservedTerm<'_>, [other, ours]: [Fresnel; 2]) -> Option<f64> {
+/// The value of a term with another share of its lobe than ours.
+fn with_share(term: &ObservedTerm<'_>, [other, ours]: [Fresnel; 2]) -> Option<Rgb> {
     match term.traced()? {
-        Lobe::FresnelReflector(_) => Some(other.reflected / ours.reflected),
-        Lobe::FresnelTransmitter(_) => Some(other.transmitted / ours.transmitted),
+        Lobe::FresnelReflector(_) => Some(term.times(other.reflected / ours.reflected)),
+        Lobe::FresnelTransmitter(_) => Some(term.times(other.transmitted / ours.transmitted)),
         _ => None,
     }
 }
@@ -145,8 +129,7 @@ fn factor_inside(term: &ObservedTerm<'_>) -> Option<f64> {
 pub(super) fn fresnel_right(term: &ObservedTerm<'_>) -> Option<Rgb> {
     let surface = inside(term)?;
     let (cos_i, wrong) = (surface.cos_o().abs(), surface.eta()?);
-    let factor = share_over(term, [fresnel(cos_i, 1.0 / wrong), fresnel(cos_i, wrong)])?;
-    Some(term.times(factor))
+    with_share(term, [fresnel(cos_i, 1.0 / wrong), fresnel(cos_i, wrong)])
 }
 
 /// The same, in the factor 1/η².

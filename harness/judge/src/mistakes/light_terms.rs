@@ -6,10 +6,7 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, TermSource};
 
-use super::{How, Mistake, ObservedRay, ObservedTerm};
-
-const NO_DISTANCE: Mistake =
-    Mistake::factor("no-lamp-distance", |term| Some(term.lamp()?.distance_squared));
+use super::{Mistake, ObservedRay, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::ray("last-sample-left-out", |ray| {
@@ -34,13 +31,13 @@ pub(super) const ALL: &[Mistake] = &[
     }),
     Mistake::factor("no-lamp-cosine", |term| Some(1.0 / term.lamp()?.cosine)),
     Mistake::factor("lamp-cosine-twice", |term| Some(term.lamp()?.cosine)),
-    NO_DISTANCE,
-    NO_DISTANCE
-        .in_form("but has 1/d", How::Factor(|term| Some(term.lamp()?.distance_squared.sqrt()))),
-    NO_DISTANCE.in_form(
-        "and the cosine at the lamp",
-        How::Factor(|term| term.lamp().map(|lamp| lamp.distance_squared / lamp.cosine)),
-    ),
+    Mistake::factor("no-lamp-distance", |term| Some(term.lamp()?.distance_squared)),
+    Mistake::factor("no-lamp-distance", |term| Some(term.lamp()?.distance_squared.sqrt()))
+        .form("but has 1/d"),
+    Mistake::factor("no-lamp-distance", |term| {
+        term.lamp().map(|lamp| lamp.distance_squared / lamp.cosine)
+    })
+    .form("and the cosine at the lamp"),
     Mistake::term("lamp-of-receiver", |term| match term.direct()? {
         (Lobe::Lambertian(matte), _) => term.lamp().map(|_| matte.reflectance * term.value()),
         _ => None,

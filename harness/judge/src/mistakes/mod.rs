@@ -30,17 +30,19 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use groundtruth::invalid::Invalid;
+use groundtruth::lobes::Fresnel;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use known::KnownMistake;
 use serde_json::json;
 use text::shell::quoted;
 
+use edit::Edit;
+use known::KnownMistake;
+use observed::{ObservedRay, ObservedSurface, ObservedTerm};
+
 pub use beside::Beside;
-pub use edit::Edit;
 pub use mistaken::Mistaken;
-pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
 pub use probed::{IsOver, Probed, pixel, probed, replica, replicas};
 pub use recorder::Reweighing;
@@ -68,6 +70,9 @@ pub enum How {
     Term(Value),
     /// Each term is this many times as large; `None` if it is as ours.
     Factor(fn(&ObservedTerm<'_>) -> Option<f64>),
+    /// Smooth transparent surfaces have these shares instead of Fresnel's, of the cosine and the index; total internal
+    /// reflection stays as it is.
+    Fresnel(fn(f64, f64) -> Fresnel),
     /// The radiance that arrives along each ray is another.
     Ray(fn(&ObservedRay<'_>) -> Rgb),
     /// The scene is another, by these edits.
@@ -100,6 +105,10 @@ impl Mistake {
         Self::new(name, How::Factor(factor))
     }
 
+    const fn fresnel(name: &'static str, shares: fn(f64, f64) -> Fresnel) -> Self {
+        Self::new(name, How::Fresnel(shares))
+    }
+
     const fn ray(name: &'static str, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
         Self::new(name, How::Ray(arriving))
     }
@@ -112,9 +121,13 @@ impl Mistake {
         Self::new(name, How::World(change))
     }
 
-    /// The same mistake in another form.
-    const fn in_form(self, form: &'static str, how: How) -> Self {
-        Self { form: Some(form), how, ..self }
+    const fn both(name: &'static str, change: Rebuild, value: Value) -> Self {
+        Self::new(name, How::Both(change, value))
+    }
+
+    /// In another form than the mistake of this name that has none.
+    const fn form(self, form: &'static str) -> Self {
+        Self { form: Some(form), ..self }
     }
 
     /// Its entry in the file.
@@ -135,6 +148,7 @@ impl Mistake {
         let other = match self.how {
             How::Term(value) | How::Both(_, value) => value(term),
             How::Factor(factor) => factor(term).map(|factor| term.times(factor)),
+            How::Fresnel(shares) => glass_terms::with_fresnel(term, shares),
             How::Ray(_) | How::Edits(_) | How::Scene(_) | How::World(_) => None,
         };
         other.unwrap_or_else(|| term.value())
@@ -150,7 +164,7 @@ impl Mistake {
 
     /// Whether its picture is made of the terms of ours.
     pub fn is_reweighed(&self) -> bool {
-        matches!(self.how, How::Term(_) | How::Factor(_) | How::Ray(_))
+        matches!(self.how, How::Term(_) | How::Factor(_) | How::Fresnel(_) | How::Ray(_))
     }
 }
 
@@ -178,11 +192,7 @@ static FORMS: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
     let coded: Vec<Mistake> = terms.into_iter().chain(changes::ALL).flatten().copied().collect();
     coded.iter().for_each(|it| assert!(known::find(it.name).is_some(), "{} has no entry", it.name));
     let made = |known: &'static KnownMistake| {
-        let of_edits = |change: &'static [Edit], form| Mistake {
-            name: known.name,
-            how: How::Edits(change),
-            form,
-        };
+        let of_edits = |change, form| Mistake { name: known.name, how: How::Edits(change), form };
         let mut all: Vec<Mistake> =
             coded.iter().filter(|it| it.name == known.name).copied().collect();
         if all.is_empty() {

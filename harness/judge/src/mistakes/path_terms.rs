@@ -6,9 +6,7 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{How, Mistake, ObservedTerm};
-
-const COSINE_TWICE: Mistake = Mistake::factor("path-cosine-twice", cosine);
+use super::{Mistake, ObservedTerm};
 
 /// By Veach's balance heuristic, from the weight by the power heuristic.
 fn balanced(mis: f64) -> f64 {
@@ -34,41 +32,27 @@ fn of_hits(term: &ObservedTerm<'_>, factor: fn(f64) -> f64) -> Option<f64> {
     mis.filter(|mis| *mis > 0.0).map(factor)
 }
 
-const HEURISTICS: Mistake =
-    Mistake::factor("mis-two-heuristics", |term| of_samples(term, balanced));
-
-const OTHER_WEIGHT: Mistake = Mistake::factor("mis-other-weight", |term| of_samples(term, others));
-
-const COUNTED_TWICE: Mistake = Mistake::term("light-counted-twice", light_counted_twice);
-
 pub(super) const ALL: &[Mistake] = &[
-    COUNTED_TWICE,
-    COUNTED_TWICE.in_form(
-        "in full where they are sampled alone",
-        How::Term(|term| term.direct().and_then(|_| light_counted_twice(term))),
-    ),
-    COUNTED_TWICE.in_form(
-        "in full where a path hits them alone",
-        How::Term(|term| match term.direct() {
-            Some(_) => None,
-            None => light_counted_twice(term),
-        }),
-    ),
-    HEURISTICS,
-    HEURISTICS.in_form("the other way round", How::Factor(|term| of_hits(term, balanced))),
-    OTHER_WEIGHT,
-    OTHER_WEIGHT.in_form("or where a path hits them", How::Factor(|term| of_hits(term, others))),
-    COSINE_TWICE,
-    COSINE_TWICE.in_form(
-        "with the density 1/2π of even directions",
-        How::Factor(|term| Some(2.0 * cosine(term)?)),
-    ),
-    Mistake::term("path-without-reflectance", |term| {
-        is_diffuse(term).then(|| term.unweighed()).flatten()
-    }),
-    Mistake::factor("path-without-density", |term| {
-        is_diffuse(term).then(|| term.density()).flatten()
-    }),
+    Mistake::term("light-counted-twice", light_counted_twice),
+    Mistake::term("light-counted-twice", |term| {
+        term.direct().and_then(|_| light_counted_twice(term))
+    })
+    .form("in full where they are sampled alone"),
+    Mistake::term("light-counted-twice", |term| {
+        light_counted_twice(term).filter(|_| term.direct().is_none())
+    })
+    .form("in full where a path hits them alone"),
+    Mistake::factor("mis-two-heuristics", |term| of_samples(term, balanced)),
+    Mistake::factor("mis-two-heuristics", |term| of_hits(term, balanced))
+        .form("the other way round"),
+    Mistake::factor("mis-other-weight", |term| of_samples(term, others)),
+    Mistake::factor("mis-other-weight", |term| of_hits(term, others))
+        .form("or where a path hits them"),
+    Mistake::factor("path-cosine-twice", cosine),
+    Mistake::factor("path-cosine-twice", |term| Some(2.0 * cosine(term)?))
+        .form("with the density 1/2π of even directions"),
+    Mistake::term("path-without-reflectance", |term| term.unweighed().filter(|_| is_diffuse(term))),
+    Mistake::factor("path-without-density", |term| term.density().filter(|_| is_diffuse(term))),
     Mistake::factor("path-pi-twice", |term| is_diffuse(term).then_some(1.0 / PI)),
     Mistake::factor("choice-not-compensated", |term| match term.term.source {
         TermSource::Traced { lobe_probability, .. } => Some(lobe_probability),
@@ -87,7 +71,7 @@ fn is_diffuse(term: &ObservedTerm<'_>) -> bool {
 
 /// Of the angle of such a ray.
 fn cosine(term: &ObservedTerm<'_>) -> Option<f64> {
-    is_diffuse(term).then(|| term.cosine_of_ray()).flatten()
+    term.cosine_of_ray().filter(|_| is_diffuse(term))
 }
 
 /// Takes off the weights by which sampled lights and paths that hit them share the same light.

@@ -7,10 +7,7 @@ use groundtruth::math::{Normal, Ray, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;
 
-use super::{How, Mistake, ObservedTerm};
-
-const OF_HALF_VECTOR: Mistake =
-    Mistake::term("highlight-of-half-vector", |term| with_highlight(term, half_vector));
+use super::{Mistake, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::factor("lambertian-without-pi", |term| diffuse(term).map(|_| PI)),
@@ -24,11 +21,11 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::factor("no-highlight", |term| highlight(term).map(|_| 0.0)),
     Mistake::factor("highlight-without-cosine", |term| Some(1.0 / highlight(term)?.1)),
     Mistake::factor("highlight-normalised", |term| Some((highlight(term)?.0 + 2.0) / (2.0 * PI))),
-    OF_HALF_VECTOR,
-    OF_HALF_VECTOR.in_form(
-        "with four times the exponent",
-        How::Term(|term| with_highlight(term, |n, wo, wi| power(half_vector(n, wo, wi), 4.0))),
-    ),
+    Mistake::term("highlight-of-half-vector", |term| with_highlight(term, half_vector)),
+    Mistake::term("highlight-of-half-vector", |term| {
+        with_highlight(term, |n, wo, wi| power(half_vector(n, wo, wi), 4.0))
+    })
+    .form("with four times the exponent"),
     Mistake::term("highlight-without-two", |term| {
         with_highlight(term, |n, wo, wi| times_mirrored(1.0, n, wo, wi))
     }),
@@ -94,11 +91,10 @@ fn with_highlight(
             let ratio = |specular: f64, diffuse: f64| specular * f / diffuse;
             let [specular, diffuse] = [highlight.reflectance, matte.reflectance].map(Rgb::to_array);
             let value = term.value().to_array();
-            let with_highlight = |i: usize| match diffuse[i] > 0.0 {
+            Some(Rgb::from([0, 1, 2].map(|i| match diffuse[i] > 0.0 {
                 true => value[i] * (1.0 + ratio(specular[i], diffuse[i])),
                 false => value[i],
-            };
-            Some(Rgb::new(with_highlight(0), with_highlight(1), with_highlight(2)))
+            })))
         }
         _ => None,
     }

@@ -18,49 +18,39 @@ use groundtruth::world::{DEFAULT_SEED, PlacedLight, World};
 
 use super::each;
 use super::materials::is_transparent;
+use crate::mistakes::Mistake;
 use crate::mistakes::places::any;
-use crate::mistakes::{How, Mistake};
-
-const OFFSET_TOO_LARGE: Mistake =
-    Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 1.0));
-
-const SKY_SAMPLED: Mistake = Mistake::world("sky-sampled-turned", |world, scene, folder| {
-    sky_sampled(world, scene, folder, |degrees| degrees + 90.0)
-});
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::world("lit-from-behind", lit_from_behind),
-    Mistake::new(
-        "highlight-direction-not-unit",
-        // the longer direction is in the cosine of all direct light, too: there it is taken off
-        How::Both(longer_suns, |term| {
-            let long = term.single_sample()?;
-            Some(term.times(1.0 / long.direction.length()))
-        }),
-    ),
+    // the longer direction is in the cosine of all direct light, too: there it is taken off
+    Mistake::both("highlight-direction-not-unit", longer_suns, |term| {
+        Some(term.times(1.0 / term.single_sample()?.direction.length()))
+    }),
     Mistake::world("shadow-rays-without-end", shadow_rays_without_end),
     Mistake::scene("no-offset", |scene, _| with_least_distance(scene, *LENGTHS.start())),
-    OFFSET_TOO_LARGE,
-    OFFSET_TOO_LARGE.in_form("or than 0.1", How::Scene(|scene, _| with_least_distance(scene, 0.1))),
-    OFFSET_TOO_LARGE
-        .in_form("or than 0.01", How::Scene(|scene, _| with_least_distance(scene, 0.01))),
+    Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 1.0)),
+    Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 0.1))
+        .form("or than 0.1"),
+    Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 0.01))
+        .form("or than 0.01"),
     Mistake::world("occluder-uniform", occluder_uniform),
     Mistake::world("no-lamp-area", no_lamp_area),
-    SKY_SAMPLED,
-    SKY_SAMPLED.in_form(
-        "or by 180°",
-        How::World(|world, scene, folder| {
-            sky_sampled(world, scene, folder, |degrees| degrees + 180.0)
-        }),
-    ),
-    SKY_SAMPLED.in_form(
-        "or not turned",
-        How::World(|world, scene, folder| sky_sampled(world, scene, folder, |_| 0.0)),
-    ),
-    SKY_SAMPLED.in_form(
-        "or turned the other way",
-        How::World(|world, scene, folder| sky_sampled(world, scene, folder, |degrees| -degrees)),
-    ),
+    Mistake::world("sky-sampled-turned", |world, scene, folder| {
+        sky_sampled(world, scene, folder, |degrees| degrees + 90.0)
+    }),
+    Mistake::world("sky-sampled-turned", |world, scene, folder| {
+        sky_sampled(world, scene, folder, |degrees| degrees + 180.0)
+    })
+    .form("or by 180°"),
+    Mistake::world("sky-sampled-turned", |world, scene, folder| {
+        sky_sampled(world, scene, folder, |_| 0.0)
+    })
+    .form("or not turned"),
+    Mistake::world("sky-sampled-turned", |world, scene, folder| {
+        sky_sampled(world, scene, folder, |degrees| -degrees)
+    })
+    .form("or turned the other way"),
 ];
 
 /// The scene as the book's program hits it, whose rays start on the surface and ignore all hits that are nearer. Where that is
@@ -110,7 +100,7 @@ fn longer_suns(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
     with_lights(world, scene, |placed, source| {
         let Kind::Directional(sun) = source else { return None };
         let length = sun.direction.length();
-        Some(with_samples(placed, move |_, sample| {
+        Some(with_samples(placed, move |_, _, sample| {
             let direction = length * sample.direction;
             LightSample { direction, ..sample }
         }))
@@ -129,9 +119,12 @@ impl<F> fmt::Debug for Changed<F> {
     }
 }
 
-impl<F: Fn(&LightContext, LightSample) -> LightSample + Send + Sync> Light for Changed<F> {
+impl<F> Light for Changed<F>
+where
+    F: Fn(&LightContext, &[[f64; 2]], LightSample) -> LightSample + Send + Sync,
+{
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
-        self.light.sample(from, u).map(|sample| (self.change)(from, sample))
+        self.light.sample(from, u).map(|sample| (self.change)(from, u, sample))
     }
 
     as_in! { light,
@@ -146,7 +139,7 @@ impl<F: Fn(&LightContext, LightSample) -> LightSample + Send + Sync> Light for C
 /// The light with changed samples.
 fn with_samples(
     placed: &PlacedLight,
-    change: impl Fn(&LightContext, LightSample) -> LightSample + Send + Sync + 'static,
+    change: impl Fn(&LightContext, &[[f64; 2]], LightSample) -> LightSample + Send + Sync + 'static,
 ) -> Arc<dyn Light> {
     Arc::new(Changed { light: placed.light.clone(), change })
 }
@@ -158,7 +151,7 @@ fn lit_from_behind(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
         let is_single =
             matches!(source, Kind::PointLight(_) | Kind::Spot(_) | Kind::Directional(_));
         (is_single && !placed.shadows).then(|| {
-            with_samples(placed, |from, sample| {
+            with_samples(placed, |from, _, sample| {
                 let cos_i = from.normal.dot(sample.direction);
                 let across = (2.0 * cos_i.min(0.0)) * from.normal;
                 LightSample { direction: sample.direction - across, ..sample }
@@ -184,7 +177,7 @@ fn shadow_rays_without_end(world: &mut World, scene: &Scene, _: &Path) -> Option
             Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) | Kind::Area(_)
         );
         (ends && placed.shadows).then(|| {
-            with_samples(placed, |_, sample| {
+            with_samples(placed, |_, _, sample| {
                 let segment = sample.segment.map(|_| Segment::Infinity);
                 LightSample { segment, ..sample }
             })
@@ -192,40 +185,20 @@ fn shadow_rays_without_end(world: &mut World, scene: &Scene, _: &Path) -> Option
     })
 }
 
-/// An ambient occluder whose directions are distributed evenly.
-#[derive(Debug)]
-struct Uniform {
-    /// Ours, for the radiance of its samples.
-    light: Arc<dyn Light>,
-    max_distance: Option<f64>,
-}
-
-impl Light for Uniform {
-    fn draws(&self) -> usize {
-        1
-    }
-
-    fn is_ambient(&self) -> bool {
-        true
-    }
-
-    fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
-        let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 0.0));
-        let segment = match self.max_distance {
-            None => Segment::Infinity,
-            Some(far) => Segment::To(from.point + far * direction),
-        };
-        let ours = self.light.sample(from, u)?;
-        Some(LightSample { direction, segment: Some(segment), pdf: Some(0.5 / PI), ..ours })
-    }
-}
-
+/// Ambient occluders whose directions are distributed evenly.
 fn occluder_uniform(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
     with_lights(world, scene, |placed, source| {
         let Kind::AmbientOccluder(AmbientOccluder { max_distance, .. }) = *source else {
             return None;
         };
-        Some(Arc::new(Uniform { light: placed.light.clone(), max_distance }))
+        Some(with_samples(placed, move |from, u, sample| {
+            let direction = Frame::around(from.normal).to_world(maps::hemisphere(u[0], 0.0));
+            let segment = match max_distance {
+                None => Segment::Infinity,
+                Some(far) => Segment::To(from.point + far * direction),
+            };
+            LightSample { direction, segment: Some(segment), pdf: Some(0.5 / PI), ..sample }
+        }))
     })
 }
 
@@ -252,7 +225,7 @@ fn no_lamp_area(world: &mut World, scene: &Scene, folder: &Path) -> Option<()> {
         let mut context = shapes::Context::new(Resources::new(folder), scene.accel);
         let shape = object.shape.build(&mut context).ok()?;
         let area = area(&*shape.sampled(Sampling::Area)?)?;
-        Some(with_samples(placed, move |_, sample| LightSample {
+        Some(with_samples(placed, move |_, _, sample| LightSample {
             radiance: sample.radiance / area,
             ..sample
         }))

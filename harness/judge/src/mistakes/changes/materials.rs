@@ -14,25 +14,33 @@ use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
 use groundtruth::world::World;
 
 use super::each;
+use crate::mistakes::Mistake;
 use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
 use crate::mistakes::places::any;
-use crate::mistakes::{How, Mistake};
-
-/// In refraction, in Fresnel's equations and in the factor 1/η².
-pub(in crate::mistakes) const NOT_INVERTED: Mistake =
-    Mistake::world("eta-not-inverted", not_inverted);
 
 pub(super) const ALL: &[Mistake] = &[
-    NOT_INVERTED,
-    NOT_INVERTED.in_form("in refraction alone", How::Both(not_inverted, both_right)),
-    NOT_INVERTED
-        .in_form("but right in Fresnel's equations", How::Both(not_inverted, fresnel_right)),
-    NOT_INVERTED.in_form("but right in the factor 1/η²", How::Both(not_inverted, factor_right)),
-    NOT_INVERTED
-        .in_form("but right where reflection is total", How::Both(not_inverted, total_right)),
-    Mistake::world("eta-inverted", |world, scene, _| with_response(world, scene, eta_inverted)),
+    // in refraction, in Fresnel's equations and in the factor 1/η²
+    Mistake::world("eta-not-inverted", not_inverted),
+    Mistake::both("eta-not-inverted", not_inverted, both_right).form("in refraction alone"),
+    Mistake::both("eta-not-inverted", not_inverted, fresnel_right)
+        .form("but right in Fresnel's equations"),
+    Mistake::both("eta-not-inverted", not_inverted, factor_right)
+        .form("but right in the factor 1/η²"),
+    Mistake::both("eta-not-inverted", not_inverted, total_right)
+        .form("but right where reflection is total"),
+    Mistake::world("eta-inverted", |world, scene, _| {
+        // the weights of a mirror are those of a viewer on the other side, for whom reflection is total where the index
+        // says so
+        with_response(world, scene, |material, at, cos_o, response| {
+            material.respond(at, -cos_o, response);
+            invert(response);
+        })
+    }),
     Mistake::world("total-reflection-kr", |world, scene, _| {
-        with_response(world, scene, total_reflection_kr)
+        // at normal incidence reflection is never total, so that the mirror has the weight `k_r` there
+        with_response(world, scene, |material, at, cos_o, response| {
+            material.respond(at, 1.0_f64.copysign(cos_o), response);
+        })
     }),
     Mistake::world("bump-reversed", |world, _, _| bump_reversed(world)),
     Mistake::scene("checker-truncated", checker_truncated),
@@ -75,32 +83,14 @@ fn with_response(world: &mut World, scene: &Scene, respond: Respond) -> Option<(
     }))
 }
 
-fn not_inverted(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
-    with_response(world, scene, eta_not_inverted)
-}
-
 /// The lobes invert the index for rays inside; an index inverted before is then the one of rays from outside.
-fn eta_not_inverted(
-    material: &dyn Material,
-    at: &TexturePoint<'_>,
-    cos_o: f64,
-    response: &mut Response,
-) {
-    material.respond(at, cos_o.abs(), response);
-    if cos_o < 0.0 {
-        invert(response);
-    }
-}
-
-/// The weights of a mirror are those of a viewer on the other side, for whom reflection is total where the index says so.
-fn eta_inverted(
-    material: &dyn Material,
-    at: &TexturePoint<'_>,
-    cos_o: f64,
-    response: &mut Response,
-) {
-    material.respond(at, -cos_o, response);
-    invert(response);
+fn not_inverted(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
+    with_response(world, scene, |material, at, cos_o, response| {
+        material.respond(at, cos_o.abs(), response);
+        if cos_o < 0.0 {
+            invert(response);
+        }
+    })
 }
 
 /// Inverts the indices of all lobes.
@@ -113,16 +103,6 @@ fn invert(response: &mut Response) {
             _ => {}
         }
     }
-}
-
-/// At normal incidence reflection is never total, so that the mirror has the weight `k_r` there.
-fn total_reflection_kr(
-    material: &dyn Material,
-    at: &TexturePoint<'_>,
-    cos_o: f64,
-    response: &mut Response,
-) {
-    material.respond(at, 1.0_f64.copysign(cos_o), response);
 }
 
 /// A bump that turns normals to the other side.

@@ -18,8 +18,6 @@ use groundtruth::scene::{Object, Scene};
 use super::Mistake;
 use super::places::any;
 
-pub(super) use materials::NOT_INVERTED;
-
 pub(super) const ALL: [&[Mistake]; 4] = [cameras::ALL, instances::ALL, lights::ALL, materials::ALL];
 
 /// A copy of which one of these items, or more, are changed.
