@@ -4,11 +4,10 @@
 //! render pictures of those in its part `pictures`, and `conform` names all of them.
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::sync::LazyLock;
 
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::Value;
+use toml::Spanned;
 
 use super::edit::{Edit, apply};
 
@@ -93,53 +92,38 @@ impl KnownMistake {
     }
 }
 
-/// The parts of the file.
+/// The parts of the file, and their entries by name.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields, bound(deserialize = "'de: 'static"))]
-struct Parts {
-    pictures: Entries,
-    answers: Entries,
+#[serde(deny_unknown_fields)]
+struct Parts<T> {
+    pictures: T,
+    answers: T,
 }
 
-/// Entries in the order of the file.
-struct Entries(Vec<KnownMistake>);
-
-impl<'de: 'static> Deserialize<'de> for Entries {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct InOrder;
-        impl<'de: 'static> Visitor<'de> for InOrder {
-            type Value = Entries;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "mistakes by name")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
-                let mut entries = Vec::new();
-                while let Some((name, entry)) = map.next_entry::<&str, KnownMistake>()? {
-                    entries.push(KnownMistake { name, ..entry });
-                }
-                Ok(Entries(entries))
-            }
-        }
-        deserializer.deserialize_map(InOrder)
-    }
-}
-
-static PARTS: LazyLock<Parts> =
-    LazyLock::new(|| toml::from_str(FILE).unwrap_or_else(|e| panic!("mistakes.toml: {e}")));
+static PARTS: LazyLock<Parts<Vec<KnownMistake>>> = LazyLock::new(|| {
+    type Entries = BTreeMap<&'static str, Spanned<KnownMistake>>;
+    let in_order = |entries: Entries| {
+        let mut entries: Vec<_> = entries.into_iter().collect();
+        entries.sort_by_key(|(_, entry)| entry.span().start);
+        let named = |(name, entry): (_, Spanned<_>)| KnownMistake { name, ..entry.into_inner() };
+        entries.into_iter().map(named).collect()
+    };
+    let parts: Parts<Entries> =
+        toml::from_str(FILE).unwrap_or_else(|e| panic!("mistakes.toml: {e}"));
+    Parts { pictures: in_order(parts.pictures), answers: in_order(parts.answers) }
+});
 
 static BY_NAME: LazyLock<BTreeMap<&str, &KnownMistake>> =
     LazyLock::new(|| pictures().iter().chain(answers()).map(|known| (known.name, known)).collect());
 
 /// Those of which a picture can be made, by chapter.
 pub fn pictures() -> &'static [KnownMistake] {
-    &PARTS.pictures.0
+    &PARTS.pictures
 }
 
 /// Those that only answers tell.
 pub fn answers() -> &'static [KnownMistake] {
-    &PARTS.answers.0
+    &PARTS.answers
 }
 
 /// The mistake of this name.

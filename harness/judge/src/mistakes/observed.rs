@@ -12,13 +12,11 @@ use groundtruth::world::{PlacedLight, World};
 pub struct ObservedSurface {
     /// Along the ray, whose direction is unit.
     pub t: f64,
-    /// The point.
     pub point: Point,
     /// The normals; of a two-sided surface turned to the viewer.
     pub normals: Normals,
     /// Unit, towards the viewer.
     pub wo: Vector,
-    /// The lobes.
     pub lobes: Lobes,
     /// The radius, where the point is one of a sphere.
     pub radius: Option<f64>,
@@ -27,9 +25,7 @@ pub struct ObservedSurface {
 /// A ray, and the surface that it met.
 #[derive(Clone, Debug)]
 pub struct RaySoFar {
-    /// Its purpose.
     pub kind: RayKind,
-    /// The ray.
     pub ray: Ray,
     /// `None` if it met nothing, or is a shadow ray.
     pub surface: Option<ObservedSurface>,
@@ -38,7 +34,6 @@ pub struct RaySoFar {
 /// A term, for a mistake that changes its value.
 #[derive(Clone, Copy, Debug)]
 pub struct ObservedTerm<'a> {
-    /// The world.
     pub world: &'a World,
     /// The ray along which the term is sent.
     pub ray: &'a RaySoFar,
@@ -55,7 +50,6 @@ pub struct ObservedTerm<'a> {
 /// A ray that ends, for a mistake that changes what arrives along it.
 #[derive(Clone, Copy, Debug)]
 pub struct ObservedRay<'a> {
-    /// The ray.
     pub ray: &'a RaySoFar,
     /// The transmittance of its medium.
     pub transmittance: Rgb,
@@ -77,7 +71,6 @@ impl ObservedRay<'_> {
 pub struct LampHeard {
     /// The cosine between the lamp's normal and the direction to the shading point, without its sign.
     pub cosine: f64,
-    /// The squared distance.
     pub distance_squared: f64,
 }
 
@@ -125,43 +118,34 @@ impl ObservedTerm<'_> {
         self.term.weight * self.arriving
     }
 
-    /// The value times a factor.
     pub fn times(&self, factor: f64) -> Rgb {
         factor * self.value()
     }
 
     /// Light that arrives at a lobe and leaves it without its weight, but for the probabilities by which it is divided.
     pub fn unweighed(&self) -> Option<Rgb> {
-        match self.term.source {
-            TermSource::Traced { lobe_probability, survival, .. } => {
-                Some((1.0 / (lobe_probability * survival)) * self.arriving)
-            }
-            _ => None,
-        }
+        let TermSource::Traced { lobe_probability, survival, .. } = self.term.source else {
+            return None;
+        };
+        Some((1.0 / (lobe_probability * survival)) * self.arriving)
     }
 
     /// The density of the ray along which the light arrives, if its lobe drew it by one.
     pub fn density(&self) -> Option<f64> {
-        match self.term.source {
-            TermSource::Traced { pdf, .. } => pdf,
-            _ => None,
-        }
+        let TermSource::Traced { pdf, .. } = self.term.source else { return None };
+        pdf
     }
 
     /// The lobe that scatters light straight from a source, and the cosine of the light's angle.
     pub fn direct(&self) -> Option<(Lobe, f64)> {
-        match self.term.source {
-            TermSource::Direct { lobe, cos_i, .. } => Some((lobe, cos_i)),
-            _ => None,
-        }
+        let TermSource::Direct { lobe, cos_i, .. } = self.term.source else { return None };
+        Some((lobe, cos_i))
     }
 
     /// The lobe that sent the ray along which the light arrives.
     pub fn traced(&self) -> Option<Lobe> {
-        match self.term.source {
-            TermSource::Traced { lobe, .. } => Some(lobe),
-            _ => None,
-        }
+        let TermSource::Traced { lobe, .. } = self.term.source else { return None };
+        Some(lobe)
     }
 
     /// The cosine between the shading normal and the direction of the ray along which the light arrives, without its sign.
@@ -191,6 +175,8 @@ impl ObservedTerm<'_> {
     /// The point of the lamp from which a term of direct light comes; `None` for other lights, and if no shadow ray was
     /// cast to it.
     pub fn lamp(&self) -> Option<LampHeard> {
+        /// The share of a shadow ray, before its end, in which the lamp is looked for, too.
+        const BEFORE_LAMP: f64 = 1e-9;
         let TermSource::Direct { light, .. } = self.term.source else { return None };
         let light = self.world.lights.iter().find(|placed| placed.index == light)?;
         let name = light.light.object()?;
@@ -203,6 +189,3 @@ impl ObservedTerm<'_> {
         Some(LampHeard { cosine, distance_squared: hit.surface.point.distance_squared(from) })
     }
 }
-
-/// The share of a shadow ray, before its end, in which the lamp is looked for, too.
-const BEFORE_LAMP: f64 = 1e-9;
