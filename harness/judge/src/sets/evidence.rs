@@ -8,7 +8,7 @@ use statistics::quantile;
 
 use super::divisions::{Divisions, Rank};
 use super::noise::{Noise, Pairs};
-use super::sums::{AreaSums, Design, SumKind, SummedPictures, channels};
+use super::sums::{AreaSums, Design, SumKind, channels};
 use super::{Method, Sets, Watch};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, own_variance};
@@ -112,8 +112,7 @@ impl<'a> SetEvidence<'a> {
                 (Design::means(sizes), both(-1.0 / one, 1.0 / other), of_change)
             }
         };
-        let pictures = SummedPictures { values, mean: &sets.mean_of_all(), variance: &variance };
-        let (sums, correlation) = (AreaSums::of(pictures, &sets.areas, design), 1.0);
+        let sums = AreaSums::of(values, [&sets.mean_of_all(), &variance], &sets.areas, design);
         Self {
             sums,
             method,
@@ -122,7 +121,7 @@ impl<'a> SetEvidence<'a> {
             sizes,
             design,
             divisions,
-            correlation,
+            correlation: 1.0,
             level,
             watch,
         }
@@ -164,17 +163,8 @@ impl<'a> SetEvidence<'a> {
         Self { correlation: correlation(&one.sums), ..one }
     }
 
-    /// What is found if all pictures before are changed so.
-    pub fn with_change(&self, change: &[f64]) -> Found {
-        self.found_in(&self.sums.with_added(change, &self.of_change))
-    }
-
-    /// Whether the sets differ, and where.
-    pub fn found(&self) -> Found {
-        self.found_in(&self.sums)
-    }
-
-    fn found_in(&self, sums: &AreaSums<'_>) -> Found {
+    /// Whether sets with these sums differ, and where.
+    pub fn found(&self, sums: &AreaSums<'_>) -> Found {
         match &self.divisions {
             Some(divisions) => self.by_divisions(sums, divisions),
             None => self.by_areas(sums),
@@ -273,17 +263,13 @@ fn most(level: f64) -> usize {
     (DIVISIONS / level).ceil() as usize
 }
 
-/// One difference in standard deviations of its finest details.
-fn z_of_one(sums: &AreaSums<'_>) -> Vec<f64> {
-    let differences = sums.differences(&[1.0]).into_iter().enumerate();
-    let z = |(index, difference)| sums.t(index, difference, Design::differences(1));
-    differences.map(z).collect()
-}
-
 /// How many times as large as of independent pixels the variance of sums is: of neighbouring tiles, whose differences a
 /// change of the whole picture hardly alters.
 fn correlation(sums: &AreaSums<'_>) -> f64 {
-    let (z, mut factor) = (z_of_one(sums), 1.0_f64);
+    // in standard deviations of its finest details
+    let z = |(index, difference)| sums.t(index, difference, Design::differences(1));
+    let z: Vec<f64> = sums.differences(&[1.0]).into_iter().enumerate().map(z).collect();
+    let mut factor = 1.0_f64;
     for (level, range) in &sums.levels {
         if matches!(level, SumKind::Tiles(_)) && range.len() >= 3 * FEW_TILES {
             let apart =

@@ -32,7 +32,7 @@ pub use noise::{Noise, Pairs};
 pub use odd::Odd;
 pub use page::page;
 pub use power::Power;
-pub use sums::{AreaSums, Design, Pattern, SumKind, SummedPictures};
+pub use sums::{AreaSums, Design, SumKind};
 
 use evidence::{Found, SetEvidence};
 
@@ -174,7 +174,7 @@ impl SetsVerdict {
         let evidence = SetEvidence::of(&sets, (&pairs, &noise), (level, watch));
         let mut found = match is_exact {
             true => Found { probability: 1.0, sums: Vec::new() },
-            false => evidence.found(),
+            false => evidence.found(&evidence.sums),
         };
         let fixed = sets.fixed_apart();
         let sum = |(pixel, channel, difference): &(usize, usize, f64)| {

@@ -59,10 +59,8 @@ fn smallest(change: &[f64], evidence: &SetEvidence<'_>) -> Option<f64> {
     let (mut low, mut high) = (0, GAINS.len());
     while low < high {
         let middle = (low + high) / 2;
-        match is_seen(change, PART * GAINS[middle], evidence) {
-            true => high = middle,
-            false => low = middle + 1,
-        }
+        let is_seen = is_seen(change, PART * GAINS[middle], evidence);
+        if is_seen { high = middle } else { low = middle + 1 }
     }
     GAINS.get(low).copied()
 }
@@ -71,7 +69,8 @@ fn smallest(change: &[f64], evidence: &SetEvidence<'_>) -> Option<f64> {
 fn is_seen(change: &[f64], times: f64, evidence: &SetEvidence<'_>) -> bool {
     [-1.0, 1.0].iter().all(|sign| {
         let change: Vec<f64> = change.iter().map(|value| sign * times * value).collect();
-        !evidence.with_change(&change).sums.is_empty()
+        let changed = evidence.sums.with_added(&change, &evidence.of_change);
+        !evidence.found(&changed).sums.is_empty()
     })
 }
 

@@ -20,38 +20,20 @@ pub enum SumKind {
     Tiles(usize),
     /// Regions.
     Regions,
-    /// The whole picture, each pixel weighted by what a harmless change adds to it: see [`Pattern`].
+    /// The whole picture, each pixel weighted by what a harmless change adds to it.
     Patterns,
 }
 
-/// What is added to a picture by a small change of all of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pattern {
-    /// The mean picture: a gain.
-    Gain,
-    /// Its slope along a row: a shift to the left.
-    AlongRows,
-    /// Its slope down a column: a shift up.
-    DownColumns,
-    /// What it has more than around each pixel: sharpness.
-    Sharpness,
-}
-
-impl Pattern {
-    const ALL: [Self; 4] = [Self::Gain, Self::AlongRows, Self::DownColumns, Self::Sharpness];
-
-    /// Of a channel of the mean picture.
-    fn of(self, mean: &[f64], size: [usize; 2]) -> Vec<f64> {
-        match self {
-            Self::Gain => mean.to_vec(),
-            Self::AlongRows => slope(mean, size, 0),
-            Self::DownColumns => slope(mean, size, 1),
-            Self::Sharpness => {
-                mean.iter().zip(around(mean, size)).map(|(value, around)| value - around).collect()
-            }
-        }
-    }
-}
+/// Small changes of a whole picture: their names, and what they add to a channel of the mean picture.
+const PATTERNS: [(&str, fn(&[f64], [usize; 2]) -> Vec<f64>); 4] = [
+    ("brightness", |mean, _| mean.to_vec()),
+    // shifts to the left, and up
+    ("place along the rows", |mean, size| slope(mean, size, 0)),
+    ("place down the columns", |mean, size| slope(mean, size, 1)),
+    ("sharpness", |mean, size| {
+        mean.iter().zip(around(mean, size)).map(|(value, around)| value - around).collect()
+    }),
+];
 
 /// Half the difference of both neighbours along an axis; at the border, of the value itself and its one neighbour.
 pub fn slope(values: &[f64], size: [usize; 2], axis: usize) -> Vec<f64> {
@@ -117,6 +99,7 @@ impl Design {
 }
 
 /// The sums over the areas of all levels.
+#[derive(Clone)]
 pub struct AreaSums<'a> {
     /// The levels, and the places of their sums. Those of a level begin with the areas of red.
     pub levels: Vec<(SumKind, Range<usize>)>,
@@ -131,36 +114,26 @@ pub struct AreaSums<'a> {
     squares: Vec<f64>,
 }
 
-/// Pictures to be added up, three values a pixel.
-pub struct SummedPictures<'a, I> {
-    /// The values of each, less their mean over the pictures if two means are compared; one picture after the other, as
-    /// large ones need much memory.
-    pub values: I,
-    /// The mean radiance.
-    pub mean: &'a [f64],
-    /// The variance of each value.
-    pub variance: &'a [f64],
-}
-
 impl<'a> AreaSums<'a> {
-    /// The sums of these pictures.
-    pub fn of<I: Iterator<Item = Vec<f64>>>(
-        pictures: SummedPictures<'_, I>,
+    /// The sums of pictures, from their mean radiance, the variance of each value, and the values of each picture, less
+    /// their mean over the pictures if two means are compared; one picture after the other, as large ones need much memory.
+    pub fn of(
+        pictures: impl Iterator<Item = Vec<f64>>,
+        [mean, variance]: [&[f64]; 2],
         areas: &'a Areas,
         design: Design,
     ) -> Self {
-        let layout = Layout::new(areas, pictures.mean, pictures.variance);
+        let layout = Layout::new(areas, mean, variance);
         let squared = layout.weights.each_ref().map(|patterns| {
             patterns.each_ref().map(|pattern| pattern.iter().map(|w| w * w).collect())
         });
-        let mean = layout.sums(pictures.mean, &layout.weights);
-        let mut expected = layout.sums(pictures.variance, &squared);
+        let mean = layout.sums(mean, &layout.weights);
+        let mut expected = layout.sums(variance, &squared);
         for (expected, mean) in expected.iter_mut().zip(&mean) {
             *expected += design.between * ROUNDING * ROUNDING * mean * mean;
         }
         let sums = |values: Vec<f64>| layout.sums(&values, &layout.weights);
-        let pictures = pictures.values.map(sums).collect();
-        let squares = vec![0.0; mean.len()];
+        let (pictures, squares) = (pictures.map(sums).collect(), vec![0.0; mean.len()]);
         let levels = layout.levels();
         Self { levels, expected, mean, layout, pictures, squares }.with_squares()
     }
@@ -178,18 +151,11 @@ impl<'a> AreaSums<'a> {
     #[must_use]
     pub fn with_added(&self, added: &[f64], times: &[f64]) -> Self {
         let added = self.layout.sums(added, &self.layout.weights);
-        let pictures = self.pictures.iter().zip(times).map(|(sums, times)| {
-            sums.iter().zip(&added).map(|(sum, added)| sum + times * added).collect()
-        });
-        Self {
-            levels: self.levels.clone(),
-            expected: self.expected.clone(),
-            mean: self.mean.clone(),
-            layout: self.layout.clone(),
-            pictures: pictures.collect(),
-            squares: self.squares.clone(),
+        let mut changed = self.clone();
+        for (sums, times) in changed.pictures.iter_mut().zip(times) {
+            sums.iter_mut().zip(&added).for_each(|(sum, added)| *sum += times * added);
         }
-        .with_squares()
+        changed.with_squares()
     }
 
     /// For each sum, the difference that these weights of the pictures make.
@@ -254,29 +220,19 @@ impl<'a> AreaSums<'a> {
     /// What a sum is of, in words.
     pub fn name(&self, index: usize) -> String {
         let (level, channel, number) = self.place(index);
-        let channel = ["red", "green", "blue"][channel];
+        let (areas, channel) = (self.layout.areas, ["red", "green", "blue"][channel]);
         match (level, self.area(index)) {
-            (SumKind::Regions, _) => self.layout.areas.objects[number].0.to_string(),
+            (SumKind::Regions, _) => areas.objects[number].0.to_string(),
             (SumKind::Patterns, _) => {
-                let pattern = match Pattern::ALL[number] {
-                    Pattern::Gain => "brightness",
-                    Pattern::AlongRows => "place along the rows",
-                    Pattern::DownColumns => "place down the columns",
-                    Pattern::Sharpness => "sharpness",
-                };
-                format!("the {pattern} of the whole picture")
+                format!("the {} of the whole picture", PATTERNS[number].0)
             }
-            (SumKind::Tiles(level), Area::Tile { corner: [x, y], side }) => {
-                let areas = self.layout.areas;
-                match level + 1 == areas.levels() {
-                    true => format!("the whole picture ({channel})"),
-                    false => {
-                        let [w, h] = [areas.size[0] - x, areas.size[1] - y].map(|it| it.min(side));
-                        format!("{x},{y},{w}x{h} ({channel})")
-                    }
-                }
+            (SumKind::Tiles(level), _) if level + 1 == areas.levels() => {
+                format!("the whole picture ({channel})")
             }
-            (SumKind::Tiles(_), Area::Object(_) | Area::Structure(_)) => unreachable!("a tile"),
+            (SumKind::Tiles(_), area) => {
+                let [x, y, w, h] = areas.bounds(&areas.pixels(area));
+                format!("{x},{y},{w}x{h} ({channel})")
+            }
         }
     }
 
@@ -284,12 +240,12 @@ impl<'a> AreaSums<'a> {
     /// itself is mostly that of a small area to which noise has added. Of a pattern, which is no light, nothing.
     pub fn beyond(&self, index: usize, difference: f64, noise: f64) -> f64 {
         let areas = self.layout.areas;
-        let pixels = match (self.place(index).0, self.area(index)) {
-            (SumKind::Patterns, _) => return 0.0,
-            (_, Area::Tile { corner, side }) => {
+        let pixels = match self.area(index) {
+            _ if self.place(index).0 == SumKind::Patterns => return 0.0,
+            Area::Tile { corner, side } => {
                 [0, 1].map(|i| side.min(areas.size[i] - corner[i])).iter().product()
             }
-            (_, Area::Object(object) | Area::Structure(object)) => areas.objects[object].1 as usize,
+            Area::Object(object) | Area::Structure(object) => areas.objects[object].1 as usize,
         };
         difference.abs() * (1.0 - noise) / pixels as f64
     }
@@ -341,7 +297,7 @@ impl<'a> Layout<'a> {
             (SumKind::Tiles(level), 3 * self.areas.grid(level).iter().product::<usize>())
         });
         let regions = (SumKind::Regions, 3 * self.areas.objects.len());
-        let others = [regions, (SumKind::Patterns, 3 * Pattern::ALL.len())];
+        let others = [regions, (SumKind::Patterns, 3 * PATTERNS.len())];
         let mut start = 0;
         let place = |(level, count)| {
             start += count;
@@ -387,7 +343,7 @@ fn weights(mean: &[Vec<f64>; 3], variance: &[Vec<f64>; 3], size: [usize; 2]) -> 
             0.0 => 0.0,
             variance => added / variance,
         };
-        let added = |pattern: Pattern| pattern.of(&mean[channel], size);
-        Pattern::ALL.map(|pattern| added(pattern).into_iter().zip(of).map(weight).collect())
+        PATTERNS
+            .map(|(_, added)| added(&mean[channel], size).into_iter().zip(of).map(weight).collect())
     })
 }

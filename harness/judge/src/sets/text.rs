@@ -6,7 +6,7 @@ use std::fmt;
 use text::brief::count;
 
 use super::evidence::Reason;
-use super::{AreaDifference, AreaMeans, Method, Odd, SetsDecision, SetsVerdict};
+use super::{AreaDifference, AreaMeans, Method, Noise, Odd, SetsDecision, SetsVerdict};
 use pictures::compare::article;
 use text::digits::short;
 use text::percent;
@@ -22,11 +22,9 @@ impl SetsVerdict {
             (SetsDecision::Agree, Method::Rounding) => {
                 "agree: before and after have the same values, but for rounding".to_owned()
             }
-            (SetsDecision::Agree, _) => {
-                format!(
-                    "agree: the means of {before} before and {after} after do not differ by more than noise"
-                )
-            }
+            (SetsDecision::Agree, _) => format!(
+                "agree: the means of {before} before and {after} after do not differ by more than noise"
+            ),
             (SetsDecision::CannotTell, Method::Rounding) => {
                 "cannot tell: each value is no number in some picture".to_owned()
             }
@@ -56,46 +54,38 @@ impl SetsVerdict {
             Reason::Noise => "noise that has changed cannot be exchanged".to_owned(),
         };
         let all = |is_all: bool| if is_all { "all" } else { "at random" };
-        let [before, after] = self.pictures;
+        let ([before, after], p) = (self.pictures, format!("p = {:.3}", self.probability));
+        let by_areas = |because: &Reason| {
+            let few = few(because);
+            format!("{few}; so a t-test of each area, {p} after correction for their number")
+        };
         match &self.method {
             Method::Rounding => "there is no noise: each value counts".to_owned(),
             Method::Odd => "such pictures are on one side only: no test is needed".to_owned(),
             Method::Divisions { count, is_all } => format!(
-                "{count} ways to divide {} pictures into {before} and {after} ({}), p = {:.3}",
+                "{count} ways to divide {} pictures into {before} and {after} ({}), {p}",
                 before + after,
                 all(*is_all),
-                self.probability
             ),
             Method::Signs { pairs, count, is_all } => format!(
                 "{pairs} pairs have equal seeds, so most noise is gone: {count} ways to exchange before and after in them \
-                 ({}), p = {:.3}",
+                 ({}), {p}",
                 all(*is_all),
-                self.probability
             ),
-            Method::Areas { because } => format!(
-                "{}; so a t-test of each area, p = {:.3} after correction for their number",
-                few(because),
-                self.probability
-            ),
+            Method::Areas { because } => by_areas(because),
             Method::PairedAreas { pairs, because } => format!(
-                "{pairs} pairs have equal seeds, so most noise is gone; {}; so a t-test of each area, p = {:.3} after \
-                 correction for their number",
-                few(because),
-                self.probability
+                "{pairs} pairs have equal seeds, so most noise is gone; {}",
+                by_areas(because)
             ),
-            Method::OnePicture => format!(
-                "the noise is estimated from the finest details of the difference, p = {:.3}",
-                self.probability
-            ),
+            Method::OnePicture => {
+                format!("the noise is estimated from the finest details of the difference, {p}")
+            }
         }
     }
 
-    fn power(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        let Some(power) = &self.power else { return Ok(()) };
-        let gain = |gain: Option<f64>| match gain {
-            Some(gain) => percent::short(gain),
-            None => "no gain".to_owned(),
-        };
+    fn power_in_words(&self) -> Option<String> {
+        let power = self.power.as_ref()?;
+        let gain = |gain: Option<f64>| gain.map_or("no gain".to_owned(), percent::short);
         let (whole, patch, side) = (gain(power.gain), gain(power.gain_of_patch), power.patch);
         let [x, y] = power.corner;
         let lamp = if power.lamp { "one lamp" } else { "no single lamp" };
@@ -105,11 +95,10 @@ impl SetsVerdict {
             [false, true] => "a shift by half a pixel down columns (not along rows)",
             [false, false] => "no shift by half a pixel",
         };
-        writeln!(
-            f,
+        Some(format!(
             "would have been seen: {whole} everywhere, {patch} in {x},{y},{side}x{side}, {lamp} of twelve that is missing, \
              {shift}"
-        )
+        ))
     }
 
     /// What stands out in a picture: `picture 3 after: 3 values no number, left out everywhere`.
@@ -130,29 +119,27 @@ impl SetsVerdict {
         format!("picture {number} {set}: {parts}")
     }
 
-    fn about_pictures(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+    /// What the sentence rests on, in lines.
+    pub fn details(&self) -> String {
         let is_odd = |index: &usize| self.odd[*index] != Odd::default();
-        (0..self.odd.len())
-            .filter(is_odd)
-            .try_for_each(|index| writeln!(f, "{}", self.odd_in_words(index)))
-    }
-
-    fn about_noise(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        if let Some(noise) = &self.noise {
-            let [low, high] = noise.interval;
+        let odd = (0..self.odd.len()).filter(is_odd);
+        let mut lines: Vec<String> = odd.map(|index| self.odd_in_words(index)).collect();
+        lines.extend(self.margin.map(|(margin, answer)| {
+            format!("margin of {}: {}", percent::short(margin), answer.words())
+        }));
+        let further = usize::from(self.explained_by.is_none() && self.method != Method::Odd);
+        let areas = self.areas.iter().skip(further);
+        lines.extend(areas.map(|area| format!("  {}", in_words(area))));
+        lines.extend(self.power_in_words());
+        lines.push(format!("method: {}", self.method_in_words()));
+        // an area that is black in both says nothing
+        let means = self.means.iter().filter(|it| it.before != 0.0 || it.after != 0.0);
+        lines.extend(means.map(|means| format!("{}: {}", means.name, means_in_words(means))));
+        lines.extend(self.noise.map(|Noise { factor, interval: [low, high], .. }| {
             let is_changed = if low > 1.0 || high < 1.0 { "; it has changed" } else { "" };
-            writeln!(
-                f,
-                "noise: {:.2} of that before (99 %: {low:.2} to {high:.2}){is_changed}",
-                noise.factor
-            )?;
-        }
-        Ok(())
-    }
-
-    fn margin(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        let Some((margin, answer)) = self.margin else { return Ok(()) };
-        writeln!(f, "margin of {}: {}", percent::short(margin), answer.words())
+            format!("noise: {factor:.2} of that before (99 %: {low:.2} to {high:.2}){is_changed}")
+        }));
+        lines.into_iter().map(|line| line + "\n").collect()
     }
 }
 
@@ -160,34 +147,6 @@ impl fmt::Display for SetsVerdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.sentence())?;
         f.write_str(&self.details())
-    }
-}
-
-impl SetsVerdict {
-    /// What the sentence rests on, in lines.
-    pub fn details(&self) -> String {
-        let mut text = String::new();
-        // a string takes everything
-        self.write_details(&mut text).expect("a string grows");
-        text
-    }
-
-    fn write_details(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        self.about_pictures(f)?;
-        self.margin(f)?;
-        let further = usize::from(self.explained_by.is_none() && self.method != Method::Odd);
-        for area in self.areas.iter().skip(further) {
-            writeln!(f, "  {}", in_words(area))?;
-        }
-        self.power(f)?;
-        writeln!(f, "method: {}", self.method_in_words())?;
-        for means in &self.means {
-            // an area that is black in both says nothing
-            if means.before != 0.0 || means.after != 0.0 {
-                writeln!(f, "{}: {}", means.name, means_in_words(means))?;
-            }
-        }
-        self.about_noise(f)
     }
 }
 

@@ -6,8 +6,7 @@ use groundtruth::scene::{Material, Scene};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::evidence::Evidence;
-use super::evidence::finite;
+use super::evidence::{Evidence, finite};
 
 /// The object to which a difference is confined, or the objects of one material.
 #[derive(Clone, Debug, Serialize)]
@@ -26,7 +25,7 @@ pub struct Place {
 const MOST: f64 = 0.9;
 
 /// And only there if at least this part is: what is left may be noise.
-const ALL: f64 = 0.98;
+pub(super) const ALL: f64 = 0.98;
 
 /// Other objects have at least this part of the pixels: else that says nothing.
 const OTHERS: f64 = 0.05;
@@ -44,22 +43,12 @@ impl Part {
     /// The weighted square of the difference, less that of noise.
     fn square(&self) -> f64 {
         let difference = self.theirs - self.ours;
-        match self.variance > 0.0 {
-            true => (difference * difference - self.noise) / self.variance,
-            false => 0.0,
-        }
+        let square = difference * difference - self.noise;
+        if self.variance > 0.0 { square / self.variance } else { 0.0 }
     }
 }
 
-/// For each object, its parts.
-type Parts = Vec<Vec<[Part; 3]>>;
-
 impl Place {
-    /// "only" or "mostly".
-    pub(super) fn how_much(&self) -> &'static str {
-        if self.share >= ALL { "only" } else { "mostly" }
-    }
-
     /// Where a difference from our pictures of a scene is; `None` if it is in several places.
     pub fn of(evidence: &Evidence<'_>, scene: &Scene) -> Option<Self> {
         let areas = evidence.areas;
@@ -95,8 +84,8 @@ impl Place {
     }
 }
 
-/// The parts of the objects, over tiles.
-fn parts(evidence: &Evidence<'_>) -> Parts {
+/// For each object, its parts over tiles.
+fn parts(evidence: &Evidence<'_>) -> Vec<Vec<[Part; 3]>> {
     let (areas, side) = (evidence.areas, evidence.side());
     let [width, across] = [areas.size[0], areas.size[0].div_ceil(side)];
     let mut parts: Vec<BTreeMap<usize, [Part; 3]>> = vec![BTreeMap::new(); areas.objects.len()];

@@ -4,6 +4,7 @@ use std::fmt;
 
 use text::brief::count;
 
+use super::place::ALL;
 use super::verdict::{DecidedBy, DifferingRegion, Explanation, Verdict};
 use super::{Cause, Causes, Decision, Means, Nearest, Place, Relative};
 use pictures::compare::article;
@@ -75,45 +76,35 @@ impl Verdict {
         let Some(relative) = means.and_then(|means| means.relative) else {
             return format!("{object} differs");
         };
-        let direction = if relative < 0.0 { "too dark" } else { "too bright" };
-        match means.is_some_and(Means::is_outside) {
-            true => {
-                let by = percent::of_pixels(relative.abs());
-                format!("{object} is {direction}, by {by} on average")
-            }
-            false => format!("{object} differs in some places, not on average"),
+        if !means.is_some_and(Means::is_outside) {
+            return format!("{object} differs in some places, not on average");
         }
+        let direction = if relative < 0.0 { "too dark" } else { "too bright" };
+        let by = percent::of_pixels(relative.abs());
+        format!("{object} is {direction}, by {by} on average")
     }
 
     /// The known mistake that explains it.
     fn why(&self) -> String {
         let Causes { explained_by, tried, otherwise, is_unfinished, .. } = &self.causes;
         if let (Some(cause), [first, ..]) = (explained_by.first(), &**otherwise) {
+            let (encoding, [other, so]) = (self.encoding(), [&first.0, &first.1.to_string()]);
             return format!(
-                "; nothing says how its values encode radiance: read as {}, the known mistake is that {}; as {}, that {}",
-                self.encoding(),
-                cause,
-                first.0,
-                &first.1
+                "; nothing says how its values encode radiance: read as {encoding}, the known mistake is that {cause}; as \
+                 {other}, that {so}"
             );
         }
         if let Some((cause, others)) = explained_by.split_first() {
             let names: Vec<&str> = others.iter().filter_map(|other| other.name).collect();
-            let or = match names.is_empty() {
-                true => String::new(),
-                false => {
-                    format!(", or, which this picture cannot tell apart, {}", names.join(", "))
-                }
-            };
-            return format!("; known mistake: {cause}{or}");
+            let or =
+                if names.is_empty() { "" } else { ", or, which this picture cannot tell apart, " };
+            return format!("; known mistake: {cause}{or}{}", names.join(", "));
         }
         if let Some(Explanation { what, agrees: false, .. }) = &self.explained {
             return format!("; {what} explains a part of it");
         }
-        let guess = match self.is_guessed {
-            true => format!("; it is read as {}, which is a guess", self.encoding()),
-            false => String::new(),
-        };
+        let guess = || format!("; it is read as {}, which is a guess", self.encoding());
+        let guess = if self.is_guessed { guess() } else { String::new() };
         match (is_unfinished, tried) {
             (true, _) => format!("; the search for a cause was ended{guess}"),
             (false, 0) => guess,
@@ -128,158 +119,134 @@ impl Verdict {
 
     /// What the sentence rests on, in lines: causes first, then places, then numbers.
     pub fn details(&self) -> String {
-        let mut text = String::new();
-        // a string takes everything
-        self.write_details(&mut text).expect("a string grows");
-        text
-    }
-
-    fn write_details(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        if self.equal_to_seed.is_some() {
-            return self.about_values(f);
+        let is_ours = self.equal_to_seed.is_some();
+        let mut lines = Vec::new();
+        if !is_ours {
+            self.why_in_lines(&mut lines);
+            if !self.regions.is_empty() {
+                lines.push("where:".to_owned());
+            }
+            lines.extend(self.regions.iter().map(|region| format!("  {region}")));
+            if let Some((margin, answer)) = self.margin {
+                lines.push(format!("margin of {}: {}", percent::short(margin), answer.words()));
+                let beyond = self.means.iter().filter(|it| it.is_beyond(margin));
+                lines.extend(beyond.map(|it| format!("  {}{}", it.name, and_differences(it))));
+            }
+            lines.extend(self.rank());
+            if let Some(whole) = self.means.first() {
+                let [theirs, ours] = [whole.theirs, whole.ours].map(three);
+                lines.push(format!("mean: {theirs}, ours {ours}{}", and_differences(whole)));
+            }
         }
-        self.explanation(f)?;
-        if self.is_guessed {
-            writeln!(f, "encoding: nothing says how its values encode radiance; --encoding does")?;
+        self.about_values(&mut lines);
+        if !is_ours {
+            self.power(&mut lines);
         }
-        if self.causes.is_unfinished {
-            writeln!(f, "the search for causes was ended; --search gives it more seconds")?;
-        }
-        self.places(f)?;
-        self.margin(f)?;
-        self.rank(f)?;
-        if let Some(whole) = self.means.first() {
-            let [theirs, ours] = [whole.theirs, whole.ours].map(three);
-            writeln!(f, "mean: {theirs}, ours {ours}{}", and_differences(whole))?;
-        }
-        self.about_values(f)?;
-        self.power(f)
+        lines.into_iter().map(|line| line + "\n").collect()
     }
 
     /// How the decision was found.
-    fn rank(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+    fn rank(&self) -> Option<String> {
         let Self { as_far, replicas, pictures, .. } = self;
+        let is_by_rank = self.decided_by.is_none();
         match self.decision {
-            _ if self.fixed => Ok(()),
-            Decision::Agrees if *pictures == 1 && self.decided_by.is_none() => writeln!(
-                f,
+            _ if self.fixed => None,
+            Decision::Agrees if *pictures == 1 && is_by_rank => Some(format!(
                 "rank: {as_far} of {replicas} pictures of ours with other seeds differ as much from the rest"
-            ),
-            Decision::Differs if *pictures > 1 => writeln!(
-                f,
+            )),
+            Decision::Differs if *pictures > 1 => Some(format!(
                 "rank: the means of {pictures} pictures are too far from ours for their noise"
-            ),
-            Decision::Differs if self.decided_by.is_none() => writeln!(
-                f,
+            )),
+            Decision::Differs if is_by_rank => Some(format!(
                 "rank: it differs more than any of {replicas} pictures of ours with other seeds does from the rest"
-            ),
-            _ => Ok(()),
+            )),
+            _ => None,
         }
     }
 
     /// The noise, and how values are stored.
-    fn about_values(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        if !self.fixed && self.equal_to_seed.is_none() {
-            writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
+    fn about_values(&self, lines: &mut Vec<String>) {
+        let is_ours = self.equal_to_seed.is_some();
+        if !self.fixed && !is_ours {
+            let about = match (self.independent, self.coarse) {
+                (false, false) => "",
+                (true, false) => "; ours have independent samples, as theirs seems to have",
+                (_, true) => "; it is unlike ours, so areas below 4 × 4 pixels do not count",
+            };
+            lines.push(format!("noise: {:.2} of that of our pictures{about}", self.noise));
         }
-        if let Some(pictures) = self.reference {
-            writeln!(
-                f,
+        lines.extend(self.reference.map(|pictures| {
+            format!(
                 "reference: all pictures are held against the mean of {pictures} others of ours"
-            )?;
-        }
-        if self.set_apart > 0 && self.equal_to_seed.is_none() {
+            )
+        }));
+        if self.set_apart > 0 && !is_ours {
             let pixels = count(self.set_apart, "pixel");
-            writeln!(
-                f,
+            lines.push(format!(
                 "not counted: {pixels}, in which all pictures of ours agree but a correct picture may have another value"
-            )?;
+            ));
         }
-        if let Some(negative) = &self.negative {
-            writeln!(f, "{negative}")?;
-        }
-        writeln!(f, "assumed: {}", self.assumed)
-    }
-
-    fn about_noise(&self) -> &'static str {
-        match (self.independent, self.coarse) {
-            (false, false) => "",
-            (true, false) => "; ours have independent samples, as theirs seems to have",
-            (_, true) => "; it is unlike ours, so areas below 4 × 4 pixels do not count",
-        }
-    }
-
-    fn margin(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        let Some((margin, answer)) = self.margin else { return Ok(()) };
-        writeln!(f, "margin of {}: {}", percent::short(margin), answer.words())?;
-        for means in self.means.iter().filter(|it| it.is_beyond(margin)) {
-            writeln!(f, "  {}{}", means.name, and_differences(means))?;
-        }
-        Ok(())
-    }
-
-    fn explanation(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        if let Some(Explanation { what, agrees, is_gain }) = &self.explained {
-            let rest = if *agrees { "it agrees but for that" } else { "it differs beyond that" };
-            writeln!(f, "explained: {what}; {rest}")?;
-            if *is_gain {
-                writeln!(
-                    f,
-                    "  a program that has the same samples in every pixel moves all pixels together: judge three \
-                     pictures with other seeds"
-                )?;
-            }
-        }
-        self.cause(f)
+        lines.extend(self.negative.map(|negative| negative.to_string()));
+        lines.push(format!("assumed: {}", self.assumed));
     }
 
     /// What explains the difference, or most of it.
-    fn cause(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        let Causes { explained_by, nearest, place, tried, otherwise, .. } = &self.causes;
+    fn why_in_lines(&self, lines: &mut Vec<String>) {
+        if let Some(Explanation { what, agrees, is_gain }) = &self.explained {
+            let rest = if *agrees { "it agrees but for that" } else { "it differs beyond that" };
+            lines.push(format!("explained: {what}; {rest}"));
+            lines.extend(is_gain.then(|| {
+                "  a program that has the same samples in every pixel moves all pixels together: judge three pictures with \
+                 other seeds"
+                    .to_owned()
+            }));
+        }
+        let Causes { explained_by, nearest, place, tried, otherwise, is_unfinished } = &self.causes;
         for (index, cause) in explained_by.iter().enumerate() {
             let or = match index {
                 0 => "cause: the picture agrees with ours if",
                 _ => "  or, which this scene cannot tell apart, if",
             };
-            writeln!(f, "{or} {cause}")?;
+            lines.push(format!("{or} {cause}"));
         }
         if explained_by.is_empty() && *tried > 0 {
-            writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
+            lines.push(format!(
+                "cause: none of the {tried} known mistakes that change this picture"
+            ));
         }
-        for (encoding, cause) in otherwise {
-            writeln!(f, "  or, if its values are {encoding}, that {cause}")?;
-        }
-        if let Some(Nearest { cause, share, interval }) =
-            nearest.as_ref().filter(|it| it.share >= PART)
+        lines.extend(
+            otherwise.iter().map(|(encoding, cause)| {
+                format!("  or, if its values are {encoding}, that {cause}")
+            }),
+        );
+        if let Some(Nearest { cause, share, interval: [low, high] }) = nearest
+            && *share >= PART
         {
-            let [share, low, high] =
-                [*share, interval[0].max(0.0), interval[1]].map(|it| 100.0 * it);
-            writeln!(
-                f,
-                "a part of it: that {} explains {share:.0} % ({low:.0} … {high:.0} %) of the difference",
-                cause
-            )?;
+            let [share, low, high] = [*share, low.max(0.0), *high].map(|it| 100.0 * it);
+            lines.push(format!(
+                "a part of it: that {cause} explains {share:.0} % ({low:.0} … {high:.0} %) of the difference"
+            ));
         }
-        if let Some(place) = place {
-            write!(f, "{place}")?;
+        lines.extend(place.as_ref().map(Place::words));
+        if self.is_guessed {
+            let line = "encoding: nothing says how its values encode radiance; --encoding does";
+            lines.push(line.to_owned());
         }
-        Ok(())
+        if *is_unfinished {
+            let line = "the search for causes was ended; --search gives it more seconds";
+            lines.push(line.to_owned());
+        }
     }
 
-    fn places(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        if !self.regions.is_empty() {
-            writeln!(f, "where:")?;
-        }
-        self.regions.iter().try_for_each(|region| writeln!(f, "  {region}"))
-    }
-
-    fn power(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+    /// What would have been seen.
+    fn power(&self, lines: &mut Vec<String>) {
         for (found, title) in [(true, "would have been seen"), (false, "would not have been seen")]
         {
             let plants = self.plants.iter().filter(|plant| plant.found == found);
             let names: Vec<&str> = plants.map(|plant| plant.what.as_str()).collect();
             if !names.is_empty() {
-                writeln!(f, "{title}, with {} pictures: {}", self.replicas, names.join("; "))?;
+                let (replicas, names) = (self.replicas, names.join("; "));
+                lines.push(format!("{title}, with {replicas} pictures: {names}"));
             }
         }
         let gain = |(side, gain): &(usize, Option<f64>)| {
@@ -287,9 +254,9 @@ impl Verdict {
         };
         let gains: Vec<String> = self.gains.iter().filter_map(gain).collect();
         if !gains.is_empty() {
-            writeln!(f, "the smallest gain in a tile that stands out: {}", gains.join(", "))?;
+            let gains = gains.join(", ");
+            lines.push(format!("the smallest gain in a tile that stands out: {gains}"));
         }
-        Ok(())
     }
 }
 
@@ -315,15 +282,16 @@ impl fmt::Display for Cause {
     }
 }
 
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let share = 100.0 * self.share;
-        let of = match &self.material {
-            Some(material) => format!(", of material {material} ({})", self.about),
-            None => String::new(),
-        };
-        let (how_much, objects) = (self.how_much(), self.objects.join(", "));
-        writeln!(f, "{how_much} in {objects}{of}: {share:.0} % of the difference")
+impl Place {
+    /// Where it is, and how much of the difference.
+    fn words(&self) -> String {
+        let how_much = if self.share >= ALL { "only" } else { "mostly" };
+        let (objects, share) = (self.objects.join(", "), 100.0 * self.share);
+        let of = self
+            .material
+            .as_ref()
+            .map_or(String::new(), |material| format!(", of material {material} ({})", self.about));
+        format!("{how_much} in {objects}{of}: {share:.0} % of the difference")
     }
 }
 

@@ -4,8 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use groundtruth::math::Pcg32;
 use judge::sets::{
-    AreaMeans, AreaSums, Design, Divisions, Method, Rank, SetsDecision, SumKind, SummedPictures,
-    Watch,
+    AreaMeans, AreaSums, Design, Divisions, Method, Rank, SetsDecision, SumKind, Watch,
 };
 use judge::verdict::{Answer, Areas};
 use pictures::compare::Picture;
@@ -66,9 +65,7 @@ fn the_probability_is_the_share_of_divisions_as_far_out() {
             }
         }
         let (mean, variance) = (vec![0.0; 3 * pixels], vec![1.3; 3 * pixels]);
-        let summed =
-            SummedPictures { values: values.iter().cloned(), mean: &mean, variance: &variance };
-        let sums = AreaSums::of(summed, &areas, design);
+        let sums = AreaSums::of(values.iter().cloned(), [&mean, &variance], &areas, design);
         let watch = Watch { tried: &|| (), interrupted: &never };
         let rank = Rank::of(&sums, design, (&divisions, watch), 0.05);
 
@@ -284,12 +281,8 @@ fn sums_of_sets_are_sums() {
         let (areas, pixels) = (Areas::tiles(size), size[0] * size[1]);
         let mut of = || (0..3 * pixels).map(|_| 1.0 + random.uniform()).collect::<Vec<f64>>();
         let (values, mean, variance) = (of(), of(), of());
-        let summed = SummedPictures {
-            values: std::iter::once(values.clone()),
-            mean: &mean,
-            variance: &variance,
-        };
-        let sums = AreaSums::of(summed, &areas, Design::differences(1));
+        let summed = std::iter::once(values.clone());
+        let sums = AreaSums::of(summed, [&mean, &variance], &areas, Design::differences(1));
         for (level, (_, tiles)) in areas_by_hand(size).iter().enumerate() {
             for (number, tile) in tiles.iter().enumerate() {
                 let places = sums.places(SumKind::Tiles(level), number);
