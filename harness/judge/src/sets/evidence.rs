@@ -11,7 +11,7 @@ use super::noise::{Noise, Pairs};
 use super::sums::{AreaSums, Design, SumKind, channels};
 use super::{Method, Sets, Watch};
 use crate::verdict::Areas;
-use crate::verdict::residuals::{around, own_variance};
+use crate::verdict::residuals::{around, mean_of, own_variance};
 
 /// So many divisions over the level are tried: the probability of the last one that counts is known to a quarter.
 const DIVISIONS: f64 = 4.0;
@@ -151,7 +151,7 @@ impl<'a> SetEvidence<'a> {
 
     /// Of one picture before or after: its noise is estimated from its finest details.
     fn of_one(sets: &'a Sets, limits: (f64, Watch<'a>)) -> Self {
-        let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
+        let [before, after] = [&sets.before, &sets.after].map(|set| mean_of(set));
         let difference: Vec<f64> = after.iter().zip(&before).map(|(b, a)| b - a).collect();
         let own = match sets.areas.size.contains(&1) {
             false => channels(&difference).map(|channel| own_variance(&channel, sets.areas.size)),

@@ -1,8 +1,7 @@
 //! The pictures that are given, and their regions.
 
-use std::collections::BTreeMap;
-
 use crate::verdict::Areas;
+use crate::verdict::residuals::mean_of;
 use pictures::compare::{Decoded, Picture};
 
 /// The pictures of one scene before and after a change.
@@ -60,26 +59,16 @@ impl Sets {
         self.before.iter().chain(&self.after)
     }
 
-    /// The mean of a set.
-    pub(super) fn mean(&self, set: &[Vec<f32>]) -> Vec<f64> {
-        let mut mean = vec![0.0; self.rounding.len()];
-        for picture in set {
-            mean.iter_mut().zip(picture).for_each(|(sum, x)| *sum += f64::from(*x));
-        }
-        mean.iter_mut().for_each(|sum| *sum /= set.len() as f64);
-        mean
-    }
-
-    /// The same as a picture.
+    /// The mean of a set as a picture.
     pub(super) fn mean_picture(&self, set: &[Vec<f32>]) -> Picture {
-        let mean: Vec<f32> = self.mean(set).into_iter().map(|value| value as f32).collect();
+        let mean: Vec<f32> = mean_of(set).into_iter().map(|value| value as f32).collect();
         Picture::of_radiance(&mean, self.areas.size.map(|side| side as u32))
     }
 
     /// The mean of all pictures.
     pub(super) fn mean_of_all(&self) -> Vec<f64> {
         let [n, m] = self.sizes().map(|count| count as f64);
-        let [before, after] = [&self.before, &self.after].map(|set| self.mean(set));
+        let [before, after] = [&self.before, &self.after].map(|set| mean_of(set));
         before.iter().zip(after).map(|(a, b)| (n * a + m * b) / (n + m)).collect()
     }
 
@@ -119,23 +108,16 @@ fn regions_of(picture: &Picture, size: [u32; 2]) -> Result<Areas, String> {
             "it has {width} × {height} pixels, the pictures {w} × {h}; each pixel has a region"
         ));
     }
-    let mut areas = Areas::tiles(size.map(|side| side as usize));
-    areas.objects.clear();
-    let mut known: BTreeMap<[u32; 3], u32> = BTreeMap::new();
-    for (pixel, color) in picture.values.iter().enumerate() {
-        let next = known.len() as u32;
-        let region = *known.entry(color.map(f32::to_bits)).or_insert(next);
-        if region == next {
-            if known.len() > MOST_REGIONS {
-                return Err(format!(
-                    "it has more than {MOST_REGIONS} colours; a picture of regions has one for each, without smooth edges"
-                ));
-            }
-            let [r, g, b] = color.map(|value| (255.0 * value).round() as u8);
-            areas.objects.push((format!("region #{r:02x}{g:02x}{b:02x}").into(), 0));
-        }
-        areas.objects[region as usize].1 += 1;
-        areas.object_of[pixel] = region;
+    let name = |bits: &[u32; 3]| {
+        let [r, g, b] = bits.map(|bits| (255.0 * f32::from_bits(bits)).round() as u8);
+        format!("region #{r:02x}{g:02x}{b:02x}").into()
+    };
+    let colors = picture.values.iter().map(|color| color.map(f32::to_bits));
+    let areas = Areas::by_key(size.map(|side| side as usize), colors, name);
+    if areas.objects.len() > MOST_REGIONS {
+        return Err(format!(
+            "it has more than {MOST_REGIONS} colours; a picture of regions has one for each, without smooth edges"
+        ));
     }
     Ok(areas)
 }

@@ -22,6 +22,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde::Serialize;
 
 use crate::verdict::Answer;
+use crate::verdict::residuals::mean_of;
 use pictures::compare::{Decoded, Picture, Transfer, changes_that_explain, distance_of};
 
 pub use divisions::{Divisions, Rank};
@@ -229,7 +230,7 @@ impl SetsVerdict {
 
 /// The areas that differ, those of the largest difference first, without those that overlap one before them.
 fn areas(sets: &Sets, evidence: &SetEvidence<'_>, mut found: Found) -> Vec<AreaDifference> {
-    let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
+    let [before, after] = [&sets.before, &sets.after].map(|set| mean_of(set));
     found.sums.sort_by(|a, b| b.1.total_cmp(&a.1));
     let all = found.sums.iter().map(|(index, _)| (evidence.sums.area(*index), *index));
     let of = |(index, pixels): (usize, Vec<usize>)| {

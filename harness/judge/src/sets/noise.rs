@@ -6,6 +6,7 @@ use statistics::means::{difference, two_samples};
 use statistics::quantile;
 
 use super::Sets;
+use crate::verdict::residuals::mean_of;
 use groundtruth::math::{exp, ln};
 
 /// Pictures whose finest details are correlated by more than this have equal seeds.
@@ -80,7 +81,7 @@ fn squares(sets: &Sets) -> Vec<Vec<f64>> {
     let across = width.div_ceil(side);
     let mut squares: Vec<Vec<f64>> = Vec::new();
     for set in [&sets.before, &sets.after].into_iter().filter(|set| set.len() > 1) {
-        let mean = sets.mean(set);
+        let mean = mean_of(set);
         let left = set.len() as f64 / (set.len() as f64 - 1.0);
         for picture in set {
             let mut sums = vec![0.0; across * height.div_ceil(side)];
@@ -108,7 +109,7 @@ impl Pairs {
             return Self::default();
         }
         let details = [&sets.before, &sets.after].map(|set| {
-            let mean = sets.mean(set);
+            let mean = mean_of(set);
             set.iter().map(|picture| details(picture, &mean, sets.areas.size)).collect::<Vec<_>>()
         });
         let mut all: Vec<(f64, [usize; 2])> = Vec::new();

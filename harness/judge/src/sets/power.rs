@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::Sets;
 use super::evidence::SetEvidence;
 use super::sums::{channels, slope};
-use crate::verdict::residuals::around;
+use crate::verdict::residuals::{around, mean_of};
 
 /// The gains that are tried.
 const GAINS: [f64; 11] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 3.0];
@@ -37,7 +37,7 @@ pub struct Power {
 impl Power {
     /// Of sets that agree.
     pub fn of(sets: &Sets, evidence: &SetEvidence<'_>) -> Self {
-        let mean = sets.mean(&sets.before);
+        let mean = mean_of(&sets.before);
         let patch = PATCH.min(sets.areas.size[0]).min(sets.areas.size[1]);
         let corner = usual_patch(&mean, sets, patch);
         let in_patch = within(&mean, sets, corner, patch);

@@ -1,5 +1,6 @@
 //! The areas of a picture over which values are added up: tiles of every side, and objects.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use groundtruth::math::Span;
@@ -40,22 +41,27 @@ impl Areas {
     /// Those of a world's picture: a pixel shows the first object that the ray through its centre hits.
     pub fn of(world: &World) -> Self {
         let [width, height] = world.picture_size();
-        let mut areas = Self::tiles([width, height].map(|side| side as usize));
-        areas.objects.clear();
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-        areas.object_of = pixels
-            .map(|pixel| {
-                let name = shown(world, pixel);
-                let known = areas.objects.iter().position(|(known, _)| *known == name);
-                let index = known.unwrap_or_else(|| {
-                    areas.objects.push((name, 0));
-                    areas.objects.len() - 1
-                });
-                areas.objects[index].1 += 1;
-                index as u32
-            })
-            .collect();
-        areas
+        let names = pixels.map(|pixel| shown(world, pixel));
+        Self::by_key([width, height].map(|side| side as usize), names, Arc::clone)
+    }
+
+    /// Those of pixels, row by row, of which each has a key; each key has a name.
+    pub(crate) fn by_key<K: Ord>(
+        size: [usize; 2],
+        keys: impl Iterator<Item = K>,
+        name: impl Fn(&K) -> Arc<str>,
+    ) -> Self {
+        let (mut known, mut objects) = (BTreeMap::new(), Vec::new());
+        let object_of = keys.map(|key| {
+            let index = *known.entry(key).or_insert_with_key(|key| {
+                objects.push((name(key), 0));
+                objects.len() - 1
+            });
+            objects[index].1 += 1;
+            index as u32
+        });
+        Self { size, object_of: object_of.collect(), objects }
     }
 
     /// Tiles only: the whole picture is one object.
@@ -119,9 +125,7 @@ impl Areas {
             }
         }
     }
-}
 
-impl Areas {
     /// Of areas, each with what it is of, the first that have no pixel in common with one before them, at most so many; with their
     /// pixels.
     pub(crate) fn apart<T>(

@@ -12,8 +12,8 @@ use super::planted::brighter;
 use super::sampling::Sampling;
 use super::verdict::Explanation;
 use super::{
-    Area, Areas, Decision, Evaluation, Finding, PlantedDefect, PoolContext, Progress, Replicas,
-    Stored, exclude, is_alike, is_nearer, noise, planted,
+    Area, Areas, Decision, Evaluation, Exclusion, Finding, PlantedDefect, PoolContext, Progress,
+    Replicas, Stored, is_alike, is_nearer, noise, planted,
 };
 use pictures::compare::Picture;
 
@@ -54,9 +54,7 @@ impl Judge<'_> {
         let transfer = way.transfer().or(self.transfer);
         Self { case: Case { transfer, ..self.case }, ..self }
     }
-}
 
-impl Judge<'_> {
     /// Tells a preliminary verdict, held against the first replicas, and returns the noise of the picture relative to
     /// theirs; `None` if the user interrupts.
     pub fn preliminary(&self, theirs: &Picture, replicas: &Replicas<'_, '_>) -> Option<f64> {
@@ -117,10 +115,8 @@ impl Judge<'_> {
         let is_hopeless = |way: &Stored| {
             (self.is_over)() || self.is_hopeless_as(*way, theirs, replicas.world, films)
         };
-        let hopeless: Vec<bool> = ways.iter().skip(1).map(is_hopeless).collect();
-        let mut next = hopeless.into_iter();
         let first = ways[0];
-        ways.retain(|way| *way == first || next.next() == Some(false));
+        ways.retain(|way| *way == first || !is_hopeless(way));
         let is_last = |way: usize| way + 1 == ways.len();
         let attempts = ways
             .iter()
@@ -142,7 +138,8 @@ impl Judge<'_> {
         let mut values = read(theirs, stored);
         // it is no mean of pictures whose film points are off
         let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
-        let apart = exclude(&mut values, replicas.world, &known, stored, self.tolerance);
+        let exclusion = Exclusion { world: replicas.world, stored, tolerance: self.tolerance };
+        let apart = exclusion.exclude(&mut values, &known);
         let next = |so_far: Option<&Evaluation>| {
             so_far.into_iter().for_each(|judged| (self.so_far)(Progress::Judged(judged)));
             let film = replicas.render()?;
@@ -220,9 +217,9 @@ impl Judge<'_> {
 
     /// The same, if its values are stored in one way.
     fn is_hopeless_as(&self, way: Stored, theirs: &Picture, world: &World, films: &[Film]) -> bool {
-        let known = way.all(films);
         let subject = PoolContext { areas: self.areas, stored: way, reference: None };
-        is_hopeless(&read(theirs, way), world, subject, &known, self.tolerance)
+        let exclusion = Exclusion { world, stored: way, tolerance: self.tolerance };
+        is_hopeless(read(theirs, way), exclusion, subject, &way.all(films))
     }
 
     /// Whether defects in our first replica are found.

@@ -10,95 +10,73 @@ use rayon::prelude::*;
 
 use super::stored::Stored;
 
-/// How far the rays of a renderer may be from ours by its rounding.
+/// How far the rays of a renderer may be from ours by its rounding: so far our rays are moved, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RayTolerance {
-    /// So far our rays are moved, in pixels.
-    pub width: f64,
-}
+pub struct RayTolerance(f64);
 
 impl RayTolerance {
     /// Of double precision.
-    pub const DOUBLE: Self = Self { width: 1e-6 };
+    pub const DOUBLE: Self = Self(1e-6);
     /// Of single precision: hits are wrong by about 1e-7 of their coordinates, and shadow rays start off the surface by
     /// 1e-4 of them.
-    pub const SINGLE: Self = Self { width: 0.03 };
+    pub const SINGLE: Self = Self(0.03);
 }
 
-/// Where all replicas agree against a picture and need not, `theirs` gets our value, so that it does not count. Returns
-/// these pixels: those in which pictures of ours could have the picture's value,
-/// - because each ray is moved by the rounding of a renderer, or
-/// - because the samples of the pixel have other weights: in each of our stratified sets they have the same mean, in
-///   others any mean from the least to the largest of them.
-pub fn exclude(
-    theirs: &mut [f32],
-    world: &World,
-    known: &[Vec<f32>],
-    stored: Stored,
-    tolerance: RayTolerance,
-) -> Vec<usize> {
-    let alone = Alone::of(theirs, world, known, stored, tolerance);
-    let excluded: Vec<usize> =
-        alone.pixels.par_iter().copied().filter(|pixel| alone.is_possible(*pixel)).collect();
-    for pixel in &excluded {
-        theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&known[0][3 * pixel..3 * pixel + 3]);
+/// What says whether pictures of ours could have a picture's value in a pixel.
+#[derive(Clone, Copy)]
+pub struct Exclusion<'a> {
+    /// The scene's world.
+    pub world: &'a World,
+    /// How values are stored.
+    pub stored: Stored,
+    /// How far the other renderer's rays may be from ours.
+    pub tolerance: RayTolerance,
+}
+
+impl Exclusion<'_> {
+    /// Where all replicas agree against a picture and need not, `theirs` gets our value, so that it does not count. Returns
+    /// these pixels: those in which pictures of ours could have the picture's value,
+    /// - because each ray is moved by the rounding of a renderer, or
+    /// - because the samples of the pixel have other weights: in each of our stratified sets they have the same mean, in
+    ///   others any mean from the least to the largest of them.
+    pub fn exclude(&self, theirs: &mut [f32], known: &[Vec<f32>]) -> Vec<usize> {
+        let (alone, is_fixed) = self.alone(theirs, known);
+        let is_possible = |pixel: &usize| self.is_possible(theirs, *pixel, is_fixed);
+        let excluded: Vec<usize> = alone.into_par_iter().filter(is_possible).collect();
+        for pixel in &excluded {
+            theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&known[0][3 * pixel..3 * pixel + 3]);
+        }
+        excluded
     }
-    excluded
-}
 
-/// Whether all replicas are one picture, and theirs has a value that it cannot have.
-pub(super) fn is_unlike_fixed(
-    theirs: &[f32],
-    world: &World,
-    known: &[Vec<f32>],
-    stored: Stored,
-    tolerance: RayTolerance,
-) -> bool {
-    let alone = Alone::of(theirs, world, known, stored, tolerance);
-    alone.is_fixed && alone.pixels.par_iter().any(|pixel| !alone.is_possible(*pixel))
-}
+    /// Whether all replicas are one picture, and theirs has a value that it cannot have.
+    pub(super) fn is_unlike_fixed(&self, theirs: &[f32], known: &[Vec<f32>]) -> bool {
+        let (alone, is_fixed) = self.alone(theirs, known);
+        is_fixed && alone.into_par_iter().any(|pixel| !self.is_possible(theirs, pixel, is_fixed))
+    }
 
-/// The pixels in which all replicas agree against a picture.
-struct Alone<'a> {
-    theirs: &'a [f32],
-    world: &'a World,
-    stored: Stored,
-    tolerance: RayTolerance,
-    pixels: Vec<usize>,
-    /// Whether all replicas agree everywhere.
-    is_fixed: bool,
-}
-
-impl<'a> Alone<'a> {
-    fn of(
-        theirs: &'a [f32],
-        world: &'a World,
-        known: &[Vec<f32>],
-        stored: Stored,
-        tolerance: RayTolerance,
-    ) -> Self {
+    /// The pixels in which all replicas agree against a picture, and whether they agree everywhere.
+    fn alone(&self, theirs: &[f32], known: &[Vec<f32>]) -> (Vec<usize>, bool) {
         let ours = &known[0];
         let is_same = |x: f32, y: f32| {
             let [x, y] = [x, y].map(f64::from);
-            (x - y).abs() <= stored.tolerance(x)
+            (x - y).abs() <= self.stored.tolerance(x)
         };
         let is_agreed = |at: usize| known.iter().all(|it| is_same(ours[at], it[at]));
-        let is_fixed = (0..ours.len()).all(is_agreed);
         let differs = |at: usize| !is_same(ours[at], theirs[at]) && is_agreed(at);
-        let pixels =
-            (0..theirs.len() / 3).filter(|pixel| (3 * pixel..3 * pixel + 3).any(differs)).collect();
-        Self { theirs, world, stored, tolerance, pixels, is_fixed }
+        let is_alone = |pixel: &usize| (3 * pixel..3 * pixel + 3).any(differs);
+        let alone = (0..theirs.len() / 3).filter(is_alone).collect();
+        (alone, (0..ours.len()).all(is_agreed))
     }
 
     /// Whether a picture of ours could have their value.
-    fn is_possible(&self, pixel: usize) -> bool {
-        let Self { world, stored, .. } = *self;
+    fn is_possible(&self, theirs: &[f32], pixel: usize, is_fixed: bool) -> bool {
+        let Self { world, stored, tolerance } = *self;
         let width = world.picture_size()[0] as usize;
         let at = [pixel % width, pixel / width].map(|x| x as u32);
-        let theirs = &self.theirs[3 * pixel..][..3];
-        let is_taken = |range: Range| range.takes(theirs, world, stored);
-        is_taken(Range::of_moved(world, at, self.tolerance))
-            || !self.is_fixed && is_taken(Range::of_samples(world, at))
+        let is_taken = |range: Range| range.takes(&theirs[3 * pixel..][..3], world, stored);
+        is_taken(Range::of_moved(world, at, tolerance))
+            || !is_fixed && is_taken(Range::of_samples(world, at))
     }
 }
 
@@ -110,7 +88,7 @@ impl Range {
     /// all: on which side of an edge it falls, a renderer's rounding decides.
     fn of_moved(world: &World, pixel: [u32; 2], tolerance: RayTolerance) -> Self {
         let steps = [-1.0, 0.0, 1.0].into_iter().flat_map(|x| [-1.0, 0.0, 1.0].map(|y| [x, y]));
-        let moved: Vec<[f64; 2]> = steps.map(|step| step.map(|x| x * tolerance.width)).collect();
+        let moved: Vec<[f64; 2]> = steps.map(|step| step.map(|x| x * tolerance.0)).collect();
         let of_sample =
             |index| Self::around(moved.iter().map(|by| sample_moved(world, pixel, index, *by)));
         let each: Vec<Self> = (0..world.samples_per_pixel()).map(of_sample).collect();

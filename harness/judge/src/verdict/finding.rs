@@ -4,6 +4,7 @@ use pictures::compare::Picture;
 
 use super::pictures_shown::ShownPictures;
 use super::reason::Reason;
+use super::residuals::mean_of;
 use super::{
     Area, Areas, DecidedBy, Decision, DifferingRegion, Evaluation, Map, Means, Negative,
     PlantedDefect, Pool, Ranking, Stored, Strictness, Verdict, WelchTest,
@@ -64,11 +65,7 @@ impl Finding {
         slack: &[f64],
         read: &[Picture],
     ) -> Self {
-        let mean = (0..ours[0].len()).map(|at| {
-            let sum: f64 = theirs.iter().map(|picture| f64::from(picture[at])).sum();
-            (sum / theirs.len() as f64) as f32
-        });
-        let mean: Vec<f32> = mean.collect();
+        let mean: Vec<f32> = mean_of(theirs).into_iter().map(|value| value as f32).collect();
         let with_mean = ours.iter().cloned().chain([mean.clone()]).collect();
         let pool = Pool::new(areas.size, stored, with_mean);
         let ranking = Ranking::of(&pool, areas, 0);

@@ -9,6 +9,7 @@ use pictures::compare::{
 use super::attempt::Judge;
 use super::case::Case;
 use super::replicas::Replicas;
+use super::residuals::mean_of;
 use super::stored::Stored;
 use super::verdict::Explanation;
 
@@ -40,7 +41,11 @@ impl Judge<'_> {
             let as_theirs = read_so(theirs, way);
             let judge = self.reading(way);
             let agrees = match change {
-                Change::Scaled(factor) => judge.agrees_scaled(theirs, replicas, factor),
+                // theirs times the factor would be coarser than it is
+                Change::Scaled(factor) => replicas.aside(|replicas| {
+                    replicas.world.view.exposure_time /= factor;
+                    judge.agrees(theirs, replicas)
+                }),
                 Change::Decoded(transfer) => {
                     let case = Case { transfer: Some(transfer), ..self.case };
                     Self { case, ..*self }.agrees(&change.applied(theirs), replicas)
@@ -73,19 +78,6 @@ impl Judge<'_> {
         Some((Explanation { what, agrees: agrees?, is_gain: false }, way))
     }
 
-    /// Whether the picture agrees with ours divided by a factor: theirs times the factor would be coarser than it is.
-    fn agrees_scaled(
-        &self,
-        theirs: &Picture,
-        replicas: &mut Replicas<'_, '_>,
-        factor: f64,
-    ) -> Option<bool> {
-        replicas.aside(|replicas| {
-            replicas.world.view.exposure_time /= factor;
-            self.agrees(theirs, replicas)
-        })
-    }
-
     /// The harmless changes that leave little of the difference of a picture read in one way, with the part that each
     /// leaves.
     fn harmless(
@@ -114,11 +106,6 @@ impl Judge<'_> {
         };
         found.flat_map(both).collect()
     }
-}
-
-fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {
-    let count = all.len() as f64;
-    (0..all[0].len()).map(|i| all.iter().map(|it| f64::from(it[i])).sum::<f64>() / count).collect()
 }
 
 /// The picture, encoded as it is if its values are stored in this way.

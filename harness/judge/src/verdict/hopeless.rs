@@ -3,10 +3,7 @@
 //! An explanation says that the picture agrees with replicas of a changed scene. Whether it does may take 99 of them,
 //! and most explanations that are tried are wrong.
 
-use groundtruth::world::World;
-
-use super::excluded::{RayTolerance, exclude, is_unlike_fixed};
-use super::{Evaluation, PoolContext, Strictness};
+use super::{Evaluation, Exclusion, PoolContext, Strictness};
 
 /// An explanation is refuted if theirs is farther out than the farthest of so many of ours, by more than this factor.
 ///
@@ -22,18 +19,15 @@ pub(super) fn steps(strictness: Strictness) -> impl Iterator<Item = usize> {
 
 /// Whether a picture, by its stored values, is too far out of these replicas to agree with more of them.
 pub(super) fn is_hopeless(
-    theirs: &[f32],
-    world: &World,
+    mut theirs: Vec<f32>,
+    exclusion: Exclusion<'_>,
     subject: PoolContext<'_>,
     known: &[Vec<f32>],
-    tolerance: RayTolerance,
 ) -> bool {
-    if is_unlike_fixed(theirs, world, known, subject.stored, tolerance) {
-        return true;
+    exclusion.is_unlike_fixed(&theirs, known) || {
+        exclusion.exclude(&mut theirs, known);
+        is_refuted(&theirs, subject, known)
     }
-    let mut theirs = theirs.to_vec();
-    exclude(&mut theirs, world, known, subject.stored, tolerance);
-    is_refuted(&theirs, subject, known)
 }
 
 /// Whether 4 or 8 pictures of ours refute that theirs is one more of them; both are stored alike.

@@ -8,12 +8,14 @@ use super::residuals::{Residuals, around, neighbours, own_variance};
 /// Where the others hardly differ, their variance is at least this part of that around it.
 const SMALLEST_VARIANCE: f64 = 0.01;
 
-/// The differences of a picture from the others, and their variances, for each channel and pixel.
+/// For each channel, differences and their variances, of pixels or areas.
+type Channels = [[Vec<f64>; 2]; 3];
+
+/// The differences of a picture from the others, and their variances.
 pub struct Map {
-    differences: [Vec<f64>; 3],
-    variances: [Vec<f64>; 3],
+    pixels: Channels,
     /// The differences times the fine structure of the others, and the variances of these products.
-    structure: [[Vec<f64>; 2]; 3],
+    structure: Channels,
     /// The number of values in which all others agree against it, in each pixel.
     outliers: Vec<f64>,
 }
@@ -21,44 +23,37 @@ pub struct Map {
 impl Map {
     /// That of one picture, whose noise is this times that of the pool.
     pub fn of(pool: &Pool, areas: &Areas, picture: usize, noise: f64) -> Self {
-        let pixels = areas.size[0] * areas.size[1];
-        let mut outliers = vec![0.0; pixels];
+        let count = areas.size[0] * areas.size[1];
+        let mut outliers = vec![0.0; count];
         // its own noise, and that of the mean of the others
         let factor = noise * noise + pool.variance_of_mean();
-        let (mut differences, mut variances, mut of_others) = (Vec::new(), Vec::new(), Vec::new());
-        for channel in 0..3 {
-            let Residuals { difference, variance, varied } =
-                Residuals::of(pool, picture, channel, &mut outliers);
-            let around = around(&variance, areas.size);
-            let own = own_variance(&difference, areas.size);
-            let value = |pixel: usize| {
-                let mean = pool.mean_of_others(picture, 3 * pixel + channel);
-                let rounding = pool.stored.rounding(mean);
+        let means = [0, 1, 2].map(|channel| -> Vec<f64> {
+            (0..count).map(|pixel| pool.mean_of_others(picture, 3 * pixel + channel)).collect()
+        });
+        let of_others =
+            [0, 1, 2].map(|channel| Residuals::of(pool, picture, channel, &mut outliers));
+        let mut pixels = [0, 1, 2].map(|channel| {
+            let Residuals { difference, variance, varied } = &of_others[channel];
+            let around = around(variance, areas.size);
+            let own = own_variance(difference, areas.size);
+            let with_floor = |pixel: usize| {
+                let rounding = pool.stored.rounding(means[channel][pixel]);
                 let variance = variance[pixel].max(SMALLEST_VARIANCE * around[pixel]);
                 (variance * factor).max(own[pixel]) + rounding * rounding
             };
-            let with_floor =
-                (0..pixels).map(|pixel| if varied[pixel] { value(pixel) } else { 0.0 });
-            variances.push(with_floor.collect());
-            differences.push(difference);
-            of_others.push(variance);
-        }
-        leave_out_bright(pool, picture, &mut differences, &mut variances);
-        let three = |all: Vec<Vec<f64>>| <[Vec<f64>; 3]>::try_from(all).expect("three channels");
-        let (differences, variances) = (three(differences), three(variances));
+            let variance = |pixel: usize| if varied[pixel] { with_floor(pixel) } else { 0.0 };
+            [difference.clone(), (0..count).map(variance).collect()]
+        });
+        leave_out_bright(&means, pool.stored.largest(), &mut pixels);
         let structure = [0, 1, 2].map(|channel| {
-            let mean = (0..pixels).map(|pixel| pool.mean_of_others(picture, 3 * pixel + channel));
-            structure(&mean.collect::<Vec<f64>>(), areas.size, |pixel| {
-                let variance =
-                    if variances[channel][pixel] > 0.0 { of_others[channel][pixel] } else { 0.0 };
-                [
-                    differences[channel][pixel],
-                    pool.variance_of_mean() * variance,
-                    variances[channel][pixel],
-                ]
+            let [differences, variances] = &pixels[channel];
+            structure(&means[channel], areas.size, |pixel| {
+                let variance = variances[pixel];
+                let of_mean = if variance > 0.0 { of_others[channel].variance[pixel] } else { 0.0 };
+                [differences[pixel], pool.variance_of_mean() * of_mean, variance]
             })
         });
-        Self { differences, variances, structure, outliers }
+        Self { pixels, structure, outliers }
     }
 
     /// The largest difference of each level, in standard deviations.
@@ -74,28 +69,23 @@ impl Map {
 
     /// The sums over the areas of each level.
     pub fn sums(&self, areas: &Areas, levels: &[DifferenceKind]) -> Vec<DifferenceSums> {
-        let both = |of: &dyn Fn(&[f64]) -> Vec<f64>| {
-            [0, 1, 2].map(|channel| [of(&self.differences[channel]), of(&self.variances[channel])])
+        let each = |channels: &Channels, of: &dyn Fn(&[f64]) -> Vec<f64>| {
+            channels.each_ref().map(|both| both.each_ref().map(|values| of(values)))
         };
-        let mut tiles = both(&<[f64]>::to_vec);
-        let mut at = 0;
+        let by_object = |channels| each(channels, &|values| areas.by_object(values));
+        let (mut tiles, mut at) = (self.pixels.clone(), 0);
         let mut of_level = |level: &DifferenceKind| {
             let channels = match *level {
                 DifferenceKind::Tiles(level) => {
                     while at < level {
                         at += 1;
-                        tiles = tiles
-                            .each_ref()
-                            .map(|both| both.each_ref().map(|it| areas.coarser(it, at)));
+                        tiles = each(&tiles, &|finer| areas.coarser(finer, at));
                     }
                     tiles.clone()
                 }
-                DifferenceKind::Objects => both(&|values| areas.by_object(values)),
-                DifferenceKind::Structure => self
-                    .structure
-                    .each_ref()
-                    .map(|both| both.each_ref().map(|values| areas.by_object(values))),
-                DifferenceKind::Outliers | DifferenceKind::InnerOutliers => Default::default(),
+                DifferenceKind::Objects => by_object(&self.pixels),
+                DifferenceKind::Structure => by_object(&self.structure),
+                DifferenceKind::Outliers | DifferenceKind::InnerOutliers => Channels::default(),
             };
             DifferenceSums { level: *level, channels }
         };
@@ -109,18 +99,18 @@ impl Map {
 
     /// The largest difference of each pixel's channels, in standard deviations, with its sign.
     pub fn pixels(&self) -> Vec<f64> {
-        let z = |pixel: usize, channel: usize| {
-            let variance = self.variances[channel][pixel];
-            if variance > 0.0 { self.differences[channel][pixel] / variance.sqrt() } else { 0.0 }
+        let z = |[differences, variances]: &[Vec<f64>; 2], pixel: usize| {
+            let variance = variances[pixel];
+            if variance > 0.0 { differences[pixel] / variance.sqrt() } else { 0.0 }
         };
         let farther = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
-        let largest = |pixel| (0..3).map(|channel| z(pixel, channel)).fold(0.0, farther);
+        let largest = |pixel| self.pixels.iter().map(|both| z(both, pixel)).fold(0.0, farther);
         (0..self.outliers.len()).map(largest).collect()
     }
 
     /// The variance of the sum over an area, of a channel.
     pub fn variance(&self, pixels: &[usize], channel: usize) -> f64 {
-        pixels.iter().map(|pixel| self.variances[channel][*pixel]).sum()
+        pixels.iter().map(|pixel| self.pixels[channel][1][*pixel]).sum()
     }
 }
 
@@ -146,30 +136,22 @@ fn structure(mean: &[f64], size: [usize; 2], of: impl Fn(usize) -> [f64; 3]) -> 
 /// Noise near the largest value that can be stored is cut on one side: so many standard deviations below it count.
 const NEAR_LARGEST: f64 = 3.0;
 
-/// Leaves out the pixels of which a channel is near the largest value.
-fn leave_out_bright(
-    pool: &Pool,
-    picture: usize,
-    differences: &mut [Vec<f64>],
-    variances: &mut [Vec<f64>],
-) {
-    let largest = pool.stored.largest();
-    for pixel in 0..variances[0].len() {
-        let is_near = (0..3).any(|channel| {
-            let mean = pool.mean_of_others(picture, 3 * pixel + channel);
-            mean + NEAR_LARGEST * variances[channel][pixel].sqrt() > largest
+/// Leaves out the pixels of which a channel's mean is near the largest value.
+fn leave_out_bright(means: &[Vec<f64>; 3], largest: f64, pixels: &mut Channels) {
+    for pixel in 0..means[0].len() {
+        let is_near = means.iter().zip(&*pixels).any(|(mean, [_, variances])| {
+            mean[pixel] + NEAR_LARGEST * variances[pixel].sqrt() > largest
         });
         if is_near {
-            differences.iter_mut().for_each(|channel| channel[pixel] = 0.0);
-            variances.iter_mut().for_each(|channel| channel[pixel] = 0.0);
+            pixels.as_flattened_mut().iter_mut().for_each(|values| values[pixel] = 0.0);
         }
     }
 }
 
-/// Sums over the areas of a level: for each channel, of the differences and of their variances.
+/// Sums over the areas of a level.
 pub struct DifferenceSums {
     level: DifferenceKind,
-    channels: [[Vec<f64>; 2]; 3],
+    channels: Channels,
 }
 
 impl DifferenceSums {

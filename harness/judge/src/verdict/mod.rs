@@ -46,7 +46,7 @@ pub use areas::{Area, Areas};
 pub use case::Case;
 pub use causes::{Cause, Causes, Nearest};
 pub use evidence::Evidence;
-pub use excluded::{RayTolerance, exclude};
+pub use excluded::{Exclusion, RayTolerance};
 pub use finding::Finding;
 pub use hopeless::is_refuted;
 pub use judgeable::{refusal, refusal_of_alpha, refusal_of_seed};

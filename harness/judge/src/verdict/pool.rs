@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::reference::Mean;
+use super::residuals::mean_of;
 use super::stored::Stored;
 
 /// Pictures of one size, as their stored values. Which of them is judged makes no difference to what is done with any.
@@ -58,14 +59,9 @@ impl Pool {
     pub fn new(size: [usize; 2], stored: Stored, pictures: Vec<Vec<f32>>) -> Self {
         assert!(pictures.len() >= 3, "a variance of others needs two");
         let values = 3 * size[0] * size[1];
-        let count = pictures.len() as f64;
-        let (mut mean, mut squares) = (vec![0.0; values], vec![0.0; values]);
+        let (mean, mut squares) = (mean_of(&pictures), vec![0.0; values]);
         for picture in &pictures {
             assert_eq!(picture.len(), values, "pictures of one size");
-            mean.iter_mut().zip(picture).for_each(|(sum, x)| *sum += f64::from(*x));
-        }
-        mean.iter_mut().for_each(|sum| *sum /= count);
-        for picture in &pictures {
             let values = squares.iter_mut().zip(&mean).zip(picture);
             values.for_each(|((sum, mean), x)| {
                 *sum += (f64::from(*x) - mean) * (f64::from(*x) - mean)

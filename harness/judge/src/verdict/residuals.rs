@@ -34,6 +34,16 @@ impl Residuals {
     }
 }
 
+/// For each value, the mean over pictures.
+pub fn mean_of(pictures: &[Vec<f32>]) -> Vec<f64> {
+    let mut mean = vec![0.0; pictures[0].len()];
+    for picture in pictures {
+        mean.iter_mut().zip(picture).for_each(|(sum, x)| *sum += f64::from(*x));
+    }
+    mean.iter_mut().for_each(|sum| *sum /= pictures.len() as f64);
+    mean
+}
+
 /// A block's detail counts at most this many times the mean, so that single bright pixels do not decide.
 const MOST_DETAIL: f64 = 16.0;
 

@@ -8,7 +8,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::*;
 use groundtruth::world::World;
-use judge::verdict::{RayTolerance, Stored, exclude};
+use judge::verdict::{Exclusion, RayTolerance, Stored};
 
 /// A matte ball of this radius before a black background, 16 × 16 pixels without noise.
 fn ball(radius: f64, ls: f64) -> World {
@@ -26,7 +26,7 @@ const STORED: Stored = Stored::Floats { bits: 24 };
 fn apart(theirs: &Film, ours: &World, tolerance: RayTolerance) -> (usize, usize) {
     let known = vec![STORED.values(&render::render(ours)); 3];
     let mut values = STORED.values(theirs);
-    let apart = exclude(&mut values, ours, &known, STORED, tolerance);
+    let apart = Exclusion { world: ours, stored: STORED, tolerance }.exclude(&mut values, &known);
     let differ = |(x, y): &(&f32, &f32)| (**x - **y).abs() > 1e-4 * y.abs();
     (apart.len(), values.iter().zip(&known[0]).filter(differ).count())
 }

@@ -7,8 +7,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
 use groundtruth::world::World;
 use judge::verdict::{
-    Areas, Bright, Decision, Evaluation, Finding, PoolContext, Quantiser, RayTolerance, Stored,
-    Strictness, exclude, is_alike, is_nearer, noise, plausible,
+    Areas, Bright, Decision, Evaluation, Exclusion, Finding, PoolContext, Quantiser, RayTolerance,
+    Stored, Strictness, is_alike, is_nearer, noise, plausible,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -102,7 +102,8 @@ impl Shared {
         }
         let mut known = first(films);
         let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
-        let apart = exclude(&mut theirs, world, &known, stored, RayTolerance::DOUBLE);
+        let exclusion = Exclusion { world, stored, tolerance: RayTolerance::DOUBLE };
+        let apart = exclusion.exclude(&mut theirs, &known);
         let judged = Evaluation::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next());
         (judged.expect("enough"), apart)
     }
