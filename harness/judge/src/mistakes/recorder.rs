@@ -54,15 +54,9 @@ pub struct Reweighing<'a> {
 impl<'a> Reweighing<'a> {
     /// A recorder of rays in this world for these mistakes; those that only change the scene change nothing here.
     pub fn new(world: &'a World, mistakes: &'a [&'static Mistake]) -> Self {
+        let (frames, spare) = (Vec::new(), Vec::new());
         let radiance = vec![Rgb::BLACK; mistakes.len() + 1];
-        Self {
-            world,
-            mistakes,
-            is_last_sample: false,
-            frames: Vec::new(),
-            spare: Vec::new(),
-            radiance,
-        }
+        Self { world, mistakes, is_last_sample: false, frames, spare, radiance }
     }
 
     /// Prepares for a sample of a pixel.

@@ -92,7 +92,8 @@ impl<'a> Case<'a> {
         let mut finding = judge.judged(theirs, &mut replicas)?;
         let stored = finding.judged.pool.stored;
         let mut more = More::default();
-        if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
+        let values = read(theirs, stored);
+        if let Some(equal) = replicas.films.iter().position(|film| stored.values(film) == values) {
             more.equal_to_seed = Some(self.seed + equal as u64);
             return Some(finding.with(more, &areas, self.strictness));
         }
@@ -165,10 +166,4 @@ impl<'a> Case<'a> {
     pub(super) fn ways(&self, theirs: &Picture, films: &[Film]) -> Vec<Stored> {
         plausible(&Stored::candidates(theirs, self.transfer, self.tone), theirs, films)
     }
-}
-
-/// The seed, counted from the first, of a replica that has the same bits.
-fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
-    let theirs = read(theirs, stored);
-    films.iter().position(|film| stored.values(film) == theirs)
 }

@@ -146,7 +146,8 @@ impl<'a> Inquiry<'a, '_, '_> {
         let (width, pixels) = (self.judge.areas.size[0], blocks.concat());
         let at = |pixel: &usize| [pixel % width, pixel / width].map(|along| along as u32);
         let at: Vec<[u32; 2]> = pixels.iter().map(at).collect();
-        let mut lineup = self.suspects.lineup(&at, evidence[0].has_noise, &places);
+        let has_noise = evidence[0].noise.iter().any(|noise| *noise > 0.0);
+        let mut lineup = self.suspects.lineup(&at, has_noise, &places);
         let mut readings: Vec<Reading<'_>> =
             evidence.into_par_iter().map(|it| Reading::new(it, &lineup, &pixels)).collect();
         let mut hypotheses = self.hypotheses(&readings, 0);
@@ -182,9 +183,8 @@ impl<'a> Inquiry<'a, '_, '_> {
             causes.otherwise =
                 found[1..].iter().filter_map(|it| Some((transfer(it)?, cause(it)))).collect();
         } else if let Some(best) = hypotheses.first() {
-            let share = readings[best.reading].share(best, self.theirs);
-            let (part, interval) = (share.part, share.interval);
-            causes.nearest = Some(Nearest { cause: cause(best), share: part, interval });
+            let Share { part: share, interval } = readings[best.reading].share(best, self.theirs);
+            causes.nearest = Some(Nearest { cause: cause(best), share, interval });
         }
         causes.is_unfinished = (self.suspects.is_over)();
         let near = hypotheses.first().filter(|it| it.part >= 1.0 - LITTLE);

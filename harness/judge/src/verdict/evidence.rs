@@ -24,8 +24,6 @@ pub struct Evidence<'a> {
     pub variances: Vec<f64>,
     /// The variance that the difference has by noise alone; 0 where all of ours agree.
     pub noise: Vec<f64>,
-    /// Whether ours have noise.
-    pub has_noise: bool,
     /// The pixels of each tile.
     pub blocks: Vec<Vec<usize>>,
 }
@@ -68,8 +66,8 @@ impl<'a> Evidence<'a> {
         let level = LEVEL.min(areas.levels() - 1);
         let [across, down] = areas.grid(level);
         let blocks = (0..across * down).map(|index| areas.pixels(areas.tile(level, index)));
-        let (stored, has_noise) = (pool.stored, noise.iter().any(|noise| *noise > 0.0));
-        Self { areas, stored, theirs, mean, variances, noise, has_noise, blocks: blocks.collect() }
+        let (stored, blocks) = (pool.stored, blocks.collect());
+        Self { areas, stored, theirs, mean, variances, noise, blocks }
     }
 
     /// The side of these tiles.

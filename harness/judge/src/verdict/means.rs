@@ -1,9 +1,12 @@
 //! Means over the picture and its objects, and how far apart those of two renderers may be.
 
+use std::iter;
+
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::areas::{Area, Areas};
+use super::evidence::finite;
 use super::pool::Pool;
 use statistics::means::difference;
 
@@ -89,7 +92,10 @@ impl Means {
         (noise, slack): (f64, &[f64]),
         confidence: f64,
     ) -> Vec<Self> {
-        let all = Self::areas(areas);
+        let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
+        let objects = areas.objects.iter().enumerate();
+        let objects = objects.map(|(index, (name, _))| (Area::Object(index), name.to_string()));
+        let all: Vec<_> = iter::once((whole, "the picture".to_owned())).chain(objects).collect();
         let each = 1.0 - (1.0 - confidence) / all.len() as f64;
         let of = |(area, name)| {
             let pixels = areas.pixels(area);
@@ -105,14 +111,6 @@ impl Means {
             means.with_rounding((pool, shown), &pixels, slack)
         };
         all.into_iter().map(of).collect()
-    }
-
-    /// The whole picture and its objects, with their names.
-    fn areas(areas: &Areas) -> Vec<(Area, String)> {
-        let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
-        let objects = (0..areas.objects.len())
-            .map(|object| (Area::Object(object), areas.objects[object].0.to_string()));
-        std::iter::once((whole, "the picture".to_owned())).chain(objects).collect()
     }
 
     /// Whether the mean lies outside its interval.
@@ -135,14 +133,11 @@ impl Means {
     ) -> Self {
         let (theirs, ours) = (pool.count() - 1, self.ours);
         let (mut alike, mut squares) = ([0.0; 3], [0.0; 3]);
-        for (channel, pixel) in
-            [0, 1, 2].into_iter().flat_map(|it| pixels.iter().map(move |pixel| (it, pixel)))
-        {
-            let at = 3 * pixel + channel;
+        for at in pixels.iter().flat_map(|pixel| 3 * pixel..3 * pixel + 3) {
             let apart = f64::from((shown[at] - pool.picture(theirs)[at]).abs());
-            alike[channel] += slack[at] + if apart.is_finite() { apart } else { 0.0 };
+            alike[at % 3] += slack[at] + finite(apart);
             let rounding = pool.stored.rounding(pool.mean_of_others(theirs, at));
-            squares[channel] += rounding * rounding;
+            squares[at % 3] += rounding * rounding;
         }
         let widened = |half: f64, alike: f64, squares: f64, level: f64| match level {
             0.0 => half,
@@ -164,9 +159,7 @@ impl Means {
             |it: &Self| [-it.half, it.half].map(|by| it.relative.map_or(0.0, f64::abs) + by);
         Answer::of(means.iter().map(apart), margin)
     }
-}
 
-impl Means {
     /// Whether one percentage is not enough: channels differ from each other beyond their intervals, and by more than
     /// two decimals of a percentage show.
     pub fn is_coloured(&self) -> bool {
@@ -187,11 +180,8 @@ fn mean(
     let theirs = pool.count() - 1;
     let of_values = |value: &dyn Fn(usize) -> f64| {
         let mut sums = [0.0; 3];
-        for pixel in pixels {
-            for (channel, sum) in sums.iter_mut().enumerate() {
-                let value = value(3 * pixel + channel);
-                *sum += if value.is_finite() { value } else { 0.0 };
-            }
+        for at in pixels.iter().flat_map(|pixel| 3 * pixel..3 * pixel + 3) {
+            sums[at % 3] += finite(value(at));
         }
         sums.map(|sum| sum / pixels.len() as f64)
     };

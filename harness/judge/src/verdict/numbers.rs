@@ -28,6 +28,9 @@ const STEPS: usize = 6;
 /// The small step, relative to the number.
 const SMALL: f64 = 0.02;
 
+/// One step leads no farther than to this many times the scale of the numbers.
+const FARTHEST: f64 = 4.0;
+
 /// A number of the scene, or the three of a colour, a point or a direction.
 struct Number {
     pointer: String,
@@ -37,7 +40,6 @@ struct Number {
 
 /// What is known of a picture.
 pub(super) struct Searched<'a> {
-    /// The scene.
     pub scene: &'a Scene,
     /// The change that another scene makes of its picture, over tiles; `None` if it has no picture, or nobody waits for it.
     pub change: &'a dyn Fn(&Scene) -> Option<Vec<f64>>,
@@ -86,7 +88,8 @@ impl Searched<'_> {
             }
             let next =
                 values.iter().zip(multiples).map(|(value, multiple)| value + small * multiple);
-            let next: Vec<f64> = next.map(|value| near(value, scale)).collect();
+            let far = if scale > 0.0 { FARTHEST * scale } else { f64::INFINITY };
+            let next: Vec<f64> = next.map(|value| value.clamp(-far, far)).collect();
             let Some(changed) = change(&next) else { break };
             let rest = less(self.difference, &changed);
             let rest = product(&rest, &rest, self.weights);
@@ -103,15 +106,6 @@ impl Searched<'_> {
             format!("{} is {} in place of {}", number.words, shown(&values), shown(&number.values));
         let is_found = left <= (1.0 - EXPLAINED) * total;
         is_found.then(|| Some(Local { words, scene: with(&values)?, everywhere: None }))?
-    }
-}
-
-/// One step leads no farther than to this many times the scale of the numbers.
-fn near(value: f64, scale: f64) -> f64 {
-    const FARTHEST: f64 = 4.0;
-    match scale > 0.0 {
-        true => value.clamp(-FARTHEST * scale, FARTHEST * scale),
-        false => value,
     }
 }
 

@@ -73,20 +73,16 @@ impl Ranking {
 
     /// The same; `noise` is that of the pool.
     pub(super) fn with_noise(pool: &Pool, areas: &Areas, from: usize, noise: Vec<f64>) -> Self {
-        let all = 0..pool.count();
         let mut levels: Vec<DifferenceKind> =
             (from..areas.levels()).map(DifferenceKind::Tiles).collect();
         let outliers =
             if from == 0 { DifferenceKind::Outliers } else { DifferenceKind::InnerOutliers };
         levels.extend([DifferenceKind::Objects, DifferenceKind::Structure, outliers]);
-        let largest: Vec<Vec<f64>> = all
-            .into_par_iter()
-            .map(|picture| {
-                let map = Map::of(pool, areas, picture, noise[picture]);
-                map.largest(areas, &levels)
-            })
-            .collect();
         let everyone: Vec<usize> = (0..pool.count()).collect();
+        let of = |picture: &usize| {
+            Map::of(pool, areas, *picture, noise[*picture]).largest(areas, &levels)
+        };
+        let largest: Vec<Vec<f64>> = everyone.par_iter().map(of).collect();
         let scores = scores(&largest, &levels, &everyone);
         Self { noise, largest, scores, levels }
     }
@@ -116,8 +112,7 @@ impl Ranking {
         let map = Map::of(pool, areas, picture, self.noise[picture]);
         let mut found: Vec<(f64, DifferingArea)> = Vec::new();
         for (at, sums) in map.sums(areas, &self.levels).iter().enumerate() {
-            let others = self.largest.iter().enumerate().filter(|(index, _)| *index != picture);
-            let limit = others.map(|(_, largest)| largest[at]).fold(0.0, f64::max);
+            let limit = self.largest_of_others(picture, at);
             for difference in sums.differences(areas) {
                 if difference.z.abs() > limit {
                     found.push((difference.z.abs() / limit, difference));
@@ -130,14 +125,15 @@ impl Ranking {
 
     /// For each level of tiles, its side and the largest difference of any picture but this one.
     pub fn limits(&self, picture: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let others = move |at: usize| {
-            let others = self.largest.iter().enumerate().filter(move |(it, _)| *it != picture);
-            others.map(move |(_, largest)| largest[at]).fold(0.0, f64::max)
-        };
         self.levels.iter().enumerate().filter_map(move |(at, level)| match level {
-            DifferenceKind::Tiles(level) => Some((1 << level, others(at))),
+            DifferenceKind::Tiles(level) => Some((1 << level, self.largest_of_others(picture, at))),
             _ => None,
         })
+    }
+
+    fn largest_of_others(&self, picture: usize, level: usize) -> f64 {
+        let others = self.largest.iter().enumerate().filter(|(index, _)| *index != picture);
+        others.map(|(_, largest)| largest[level]).fold(0.0, f64::max)
     }
 }
 
@@ -154,11 +150,8 @@ fn variance(ratio: f64, pool: &Pool) -> f64 {
     let [a, b, c] = match pool.reference() {
         None => {
             let squared = others * others;
-            [
-                others,
-                squared - others + 1.0 - ratio,
-                others - 1.0 - ratio * (squared + others - 1.0),
-            ]
+            let c = others - 1.0 - ratio * (squared + others - 1.0);
+            [others, squared - others + 1.0 - ratio, c]
         }
         Some(_) => {
             let whole = ratio * others * (1.0 + mean);
@@ -186,11 +179,7 @@ fn scores(largest: &[Vec<f64>], levels: &[DifferenceKind], of: &[usize]) -> Vec<
         };
         for (score, largest) in scores.iter_mut().zip(largest) {
             let apart = largest[at] - median;
-            if apart != 0.0 {
-                *score = score.max(apart / deviation);
-            } else {
-                *score = score.max(0.0);
-            }
+            *score = score.max(if apart != 0.0 { apart / deviation } else { 0.0 });
         }
     }
     scores

@@ -34,15 +34,8 @@ type Source<'a> = &'a dyn Fn(u64) -> Option<Film>;
 impl<'a, 'b> Replicas<'a, 'b> {
     /// None so far, of a scene's world; `seed` is that of the first.
     pub fn new(world: &'a mut World, seed: u64, renders: Renders<'b>) -> Self {
-        Self {
-            world,
-            direction: [0, 0],
-            first: seed,
-            next: seed,
-            films: Vec::new(),
-            renders,
-            source: None,
-        }
+        let [first, next] = [seed; 2];
+        Self { world, direction: [0, 0], first, next, films: Vec::new(), renders, source: None }
     }
 
     /// None so far, of another program's pictures of the world.

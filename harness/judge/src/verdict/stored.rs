@@ -40,6 +40,14 @@ pub enum Bright {
     Mapped(OutOfGamut),
 }
 
+impl Bright {
+    /// What becomes of a colour, before channels are clamped.
+    fn shown(self, color: Rgb) -> Rgb {
+        let Self::Mapped(out_of_gamut) = self else { return color };
+        Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }.map(color)
+    }
+}
+
 /// Relative differences up to this are rounding of the renderers, in floating-point pictures.
 const ROUNDING: f64 = 1e-5;
 
@@ -62,11 +70,9 @@ impl Stored {
             }];
         };
         let own = if gamma == 1.0 { Transfer::Linear } else { Transfer::Gamma(gamma) };
-        let mut transfers = vec![own, Transfer::Srgb, Transfer::Linear];
-        transfers.extend([1.8, 2.0, 2.2, 2.4].map(Transfer::Gamma));
-        if let Some(transfer) = transfer {
-            transfers = vec![transfer];
-        }
+        let usual = [own, Transfer::Srgb, Transfer::Linear].into_iter();
+        let usual = || usual.chain([1.8, 2.0, 2.2, 2.4].map(Transfer::Gamma)).collect();
+        let transfers: Vec<Transfer> = transfer.map_or_else(usual, |stated| vec![stated]);
         let mut bright = vec![Bright::Mapped(rule), Bright::Clamped];
         bright.extend([OutOfGamut::MaxToOne, OutOfGamut::ClampToColor].map(Bright::Mapped));
         let mut all: Vec<Self> = Vec::new();
@@ -107,23 +113,17 @@ impl Stored {
         let Self::Integers { bright, .. } = self else { return film.clone() };
         let mut mapped = film.clone();
         for at in (0..film.height()).flat_map(|y| (0..film.width()).map(move |x| [x, y])) {
-            let color = match bright {
-                Bright::Mapped(rule) => toned(rule, film.get(at)),
-                Bright::Clamped => film.get(at),
-            };
             // filters with negative lobes make negative radiance
-            let [r, g, b] = color.to_array().map(|value| value.max(0.0));
-            mapped.set(at, Rgb::new(r, g, b));
+            let values = bright.shown(film.get(at)).to_array().map(|value| value.max(0.0));
+            mapped.set(at, Rgb::from(values));
         }
         mapped
     }
 
     /// How integers encode radiance.
     pub fn transfer(self) -> Option<Transfer> {
-        match self {
-            Self::Integers { transfer, .. } => Some(transfer),
-            Self::Floats { .. } | Self::SharedExponent => None,
-        }
+        let Self::Integers { transfer, .. } = self else { return None };
+        Some(transfer)
     }
 
     fn color(self, color: Rgb) -> [f32; 3] {
@@ -144,31 +144,23 @@ impl Stored {
     /// The integers of a colour; `None` if values are stored as other numbers.
     pub fn integers(self, color: Rgb) -> Option<[f64; 3]> {
         let Self::Integers { step, transfer, quantiser, bright } = self else { return None };
-        let color = match bright {
-            Bright::Clamped => color,
-            Bright::Mapped(rule) => toned(rule, color),
-        };
         let largest = 1.0 / step;
         let integer = |radiance: f64| {
             // sRGB of 1 is computed as a little less than 1
             let value = if radiance >= 1.0 { 1.0 } else { transfer.encoded(radiance.max(0.0)) };
             quantiser.integer(value, largest)
         };
-        Some(color.to_array().map(integer))
+        Some(bright.shown(color).to_array().map(integer))
     }
 
     /// The radiance of a stored value.
     pub fn read(self, value: f32) -> f32 {
-        match self {
-            Self::Integers { step, .. } => {
-                let exact = f64::from(value) / step;
-                let integer = exact.round();
-                // values of a changed picture lie between integers
-                let is_integer = (exact - integer).abs() < 0.01;
-                self.of_integer(if is_integer { integer } else { exact }) as f32
-            }
-            Self::Floats { .. } | Self::SharedExponent => value,
-        }
+        let Self::Integers { step, .. } = self else { return value };
+        let exact = f64::from(value) / step;
+        let integer = exact.round();
+        // values of a changed picture lie between integers
+        let is_integer = (exact - integer).abs() < 0.01;
+        self.of_integer(if is_integer { integer } else { exact }) as f32
     }
 
     /// The radiance of a stored integer: the middle, by its display value, of all that is stored so.
@@ -179,10 +171,7 @@ impl Stored {
 
     /// The largest radiance that can be stored.
     pub fn largest(self) -> f64 {
-        match self {
-            Self::Integers { .. } => 1.0,
-            Self::Floats { .. } | Self::SharedExponent => f64::INFINITY,
-        }
+        if matches!(self, Self::Integers { .. }) { 1.0 } else { f64::INFINITY }
     }
 
     /// The standard deviation of the rounding of a value.
@@ -295,17 +284,6 @@ fn rounded(value: f32, bits: u32) -> f32 {
 /// The fewest significant bits that hold all values of a picture.
 fn significant_bits(picture: &Picture) -> u32 {
     let bits = |value: &f32| 24 - value.to_bits().trailing_zeros().min(23);
-    picture
-        .values
-        .as_flattened()
-        .iter()
-        .filter(|value| **value != 0.0)
-        .map(bits)
-        .max()
-        .unwrap_or(24)
-}
-
-/// The colour by a rule for those beyond 1.
-fn toned(out_of_gamut: OutOfGamut, color: Rgb) -> Rgb {
-    Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }.map(color)
+    let values = picture.values.as_flattened().iter();
+    values.filter(|value| **value != 0.0).map(bits).max().unwrap_or(24)
 }
