@@ -67,7 +67,7 @@ fn exercises_stay_within_the_chapters_up_to_theirs() {
 fn harder_tasks_change_fewer_pixels() {
     let share = |level: Difficulty| {
         let all: Vec<Task> = (1..5).flat_map(|seed| made(14, level, 4, seed)).collect();
-        all.iter().map(|task| task.effect.share).sum::<f64>() / all.len() as f64
+        all.iter().map(|task| task.pictures.effect().share).sum::<f64>() / all.len() as f64
     };
     let [easy, medium, hard] = [Difficulty::Easy, Difficulty::Medium, Difficulty::Hard].map(share);
     assert!(easy > 1.3 * medium && medium > 1.3 * hard, "{easy} {medium} {hard}");

@@ -27,7 +27,7 @@ pub fn key(chapter: u32, command: &str, tasks: &[Task]) -> Result<String, Box<dy
         let changed = format!(
             "{:.0} % of the pixels change, most of all that at {x},{y}. The sample of it that changes most, along the path \
              of most light; what is other is marked:",
-            100.0 * task.effect.share
+            100.0 * task.pictures.effect().share
         );
         let [right, wrong] = explained(task, [x, y])?;
         let (file, picture) = (format!("scenes/{number}.toml"), format!("{number}.png"));

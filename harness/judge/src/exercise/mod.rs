@@ -10,7 +10,7 @@ use groundtruth::math::Pcg32;
 use groundtruth::scene::Scene;
 use groundtruth::world::DEFAULT_SEED;
 
-use super::mistakes::table::{Effect, sized};
+use super::mistakes::table::sized;
 use super::mistakes::{self, Beside, Mistake, MistakeInScene, is_wrong_on_purpose};
 
 pub use key::key;
@@ -30,8 +30,6 @@ pub struct Task {
     pub scene: Scene,
     /// The right picture and the wrong one.
     pub pictures: Beside,
-    /// How much of it is wrong.
-    pub effect: Effect,
 }
 
 /// How much of a picture is wrong: the less, the harder is the mistake to find.
@@ -128,8 +126,6 @@ fn task(
     let entry = gallery::find(name).expect("the table is of the gallery");
     let scene = sized((entry.build)(), width, SAMPLES);
     let pictures = Beside::of(mistake, &scene, Path::new(""), DEFAULT_SEED)?;
-    Ok(pictures.and_then(|pictures| {
-        let effect = pictures.effect();
-        effect.is_shown().then_some(Task { mistake, name, scene, pictures, effect })
-    }))
+    let pictures = pictures.filter(|it| it.effect().is_shown());
+    Ok(pictures.map(|pictures| Task { mistake, name, scene, pictures }))
 }

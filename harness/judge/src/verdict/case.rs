@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::film::Film;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
@@ -34,8 +34,6 @@ pub struct Case<'a> {
     pub strictness: Strictness,
     /// The transfer function of pictures for display, if the user or the file says it.
     pub transfer: Option<Transfer>,
-    /// The gamma of the scene's picture, and its rule for colours beyond 1.
-    pub tone: (f64, OutOfGamut),
     /// The seed of the first replica.
     pub seed: u64,
     /// A mean of other pictures of ours, if one was rendered before.
@@ -55,7 +53,6 @@ impl<'a> Case<'a> {
             so_far: &|_| {},
             strictness: Strictness::USUAL,
             transfer: None,
-            tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,
             reference: None,
             tolerance: RayTolerance::DOUBLE,
@@ -164,6 +161,12 @@ impl<'a> Case<'a> {
 
     /// The ways of storing that the values of a picture leave open, the likeliest first; `films` are some of ours.
     pub(super) fn ways(&self, theirs: &Picture, films: &[Film]) -> Vec<Stored> {
-        plausible(&Stored::candidates(theirs, self.transfer, self.tone), theirs, films)
+        plausible(&self.candidates(theirs), theirs, films)
+    }
+
+    /// All ways in which the values of a picture may be stored.
+    pub(super) fn candidates(&self, theirs: &Picture) -> Vec<Stored> {
+        let image = &self.scene.image;
+        Stored::candidates(theirs, self.transfer, (image.gamma, image.out_of_gamut))
     }
 }

@@ -16,6 +16,7 @@ use serde::Serialize;
 use super::Evaluation;
 use super::areas::Areas;
 use super::attempt::{Judge, read};
+use super::case::Case;
 use super::evidence::{Evidence, finite};
 use super::linear::less;
 use super::numbers::Searched;
@@ -24,7 +25,7 @@ use super::pool::Pool;
 use super::replicas::Replicas;
 use super::share::{Share, remainder};
 use super::stored::Stored;
-use super::suspects::{Lineup, Suspect, Suspects};
+use super::suspects::{Lineup, Suspect};
 use crate::mistakes::local::Local;
 
 /// A mistake that explains a picture.
@@ -101,7 +102,6 @@ pub(super) struct Inquiry<'a, 'b, 'c> {
     pub judge: Judge<'a>,
     pub theirs: &'a Picture,
     pub replicas: &'a mut Replicas<'b, 'c>,
-    pub suspects: Suspects<'a>,
     /// How it was judged.
     pub judged: &'a Evaluation,
 }
@@ -138,7 +138,7 @@ impl<'a> Inquiry<'a, '_, '_> {
         let films = &self.replicas.films;
         let of = |way: &Stored| evidence_of(beside, films, areas, *way);
         let mut evidence: Vec<Evidence<'_>> = ways.par_iter().map(of).collect();
-        let scene = self.suspects.scene;
+        let scene = self.judge.scene;
         let places: Vec<Place> = evidence.iter().filter_map(|it| Place::of(it, scene)).collect();
         evidence[0].keep(TILES);
         let blocks = evidence[0].blocks.clone();
@@ -147,18 +147,18 @@ impl<'a> Inquiry<'a, '_, '_> {
         let at = |pixel: &usize| [pixel % width, pixel / width].map(|along| along as u32);
         let at: Vec<[u32; 2]> = pixels.iter().map(at).collect();
         let has_noise = evidence[0].noise.iter().any(|noise| *noise > 0.0);
-        let mut lineup = self.suspects.lineup(&at, has_noise, &places);
+        let mut lineup = self.judge.lineup(&at, has_noise, &places);
         let mut readings: Vec<Reading<'_>> =
             evidence.into_par_iter().map(|it| Reading::new(it, &lineup, &pixels)).collect();
         let mut hypotheses = self.hypotheses(&readings, 0);
         let mut found = self.judged(&readings, &hypotheses, &lineup);
         let tried = lineup.suspects.len();
         for count in [1, 3].into_iter().filter(|_| !lineup.ours.is_empty()) {
-            if found.is_empty() && !(self.suspects.is_over)() {
+            if found.is_empty() && !(self.judge.is_over)() {
                 let first = lineup.suspects.len();
-                let of = |reading: &Reading<'_>| reading.numbers(&self.suspects, &lineup, count);
+                let of = |reading: &Reading<'_>| reading.numbers(&self.judge, &lineup, count);
                 let numbers = readings.iter().take(WAYS_WITH_NUMBERS).flat_map(of).collect();
-                let numbers = self.suspects.suspected(numbers, &lineup);
+                let numbers = self.judge.suspected(numbers, &lineup);
                 lineup.suspects.extend(numbers);
                 readings.iter_mut().for_each(|it| it.add(&lineup, first));
                 let more = self.hypotheses(&readings, first);
@@ -186,7 +186,7 @@ impl<'a> Inquiry<'a, '_, '_> {
             let Share { part: share, interval } = readings[best.reading].share(best, self.theirs);
             causes.nearest = Some(Nearest { cause: cause(best), share, interval });
         }
-        causes.is_unfinished = (self.suspects.is_over)();
+        causes.is_unfinished = (self.judge.is_over)();
         let near = hypotheses.first().filter(|it| it.part >= 1.0 - LITTLE);
         let chosen = found.first().or(near).map(|it| ways[it.reading]);
         let way = chosen.unwrap_or(ways[0]);
@@ -230,7 +230,7 @@ impl<'a> Inquiry<'a, '_, '_> {
     ) -> Vec<Hypothesis> {
         let (mut found, mut tried): (Vec<Hypothesis>, Vec<Hypothesis>) = (Vec::new(), Vec::new());
         for it in hypotheses {
-            if tried.len() == JUDGED || (self.suspects.is_over)() {
+            if tried.len() == JUDGED || (self.judge.is_over)() {
                 break;
             }
             let is_known = |other: &Hypothesis| {
@@ -262,7 +262,7 @@ impl<'a> Inquiry<'a, '_, '_> {
 
     /// Whether the picture agrees with those of a mistake.
     fn agrees(&mut self, it: &Hypothesis, suspect: &Suspect, way: Stored) -> bool {
-        let source = |seed| suspect.picture(&self.suspects, seed);
+        let source = |seed| suspect.picture(&self.judge, seed);
         let judge = self.judge.reading(way);
         let mut replicas = self.replicas.of_others(&source);
         judge.agrees(&it.change.applied(self.theirs), &mut replicas) == Some(true)
@@ -304,13 +304,12 @@ impl<'a> Reading<'a> {
     }
 
     /// Scenes with another number that explain most of the difference.
-    fn numbers(&self, suspects: &Suspects<'_>, lineup: &Lineup, count: usize) -> Vec<Local> {
+    fn numbers(&self, case: &Case<'_>, lineup: &Lineup, count: usize) -> Vec<Local> {
         let change = |scene: &Scene| {
-            Some(self.change(&suspects.pixels(scene, lineup.seeds[0], lineup)?, &lineup.ours[0]))
+            Some(self.change(&case.pixels(scene, lineup.seeds[0], lineup)?, &lineup.ours[0]))
         };
-        let (scene, weights, difference) =
-            (&lineup.scene, &*self.weights, &*self.evidence.difference());
-        Searched { scene, change: &change, difference, weights }.scenes(count)
+        let (scene, difference) = (&lineup.scene, &*self.evidence.difference());
+        Searched { scene, change: &change, difference, weights: &self.weights }.scenes(count)
     }
 
     /// A picture less the mean of ours, over tiles.

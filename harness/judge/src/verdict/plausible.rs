@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use rayon::prelude::*;
 
@@ -40,12 +40,11 @@ pub fn plausible(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Vec
 /// The ways to read a picture, one for each usual way to encode radiance if nothing says which it is: in each, the
 /// likeliest rounding. A grey or coloured background rules out the ways in which it would have another value.
 pub(super) fn readings(
+    candidates: &[Stored],
     theirs: &Picture,
-    (stated, tone): (Option<Transfer>, (f64, OutOfGamut)),
     films: &[Film],
     areas: &Areas,
 ) -> Vec<Stored> {
-    let candidates = Stored::candidates(theirs, stated, tone);
     let mut transfers: Vec<Option<Transfer>> = Vec::new();
     for transfer in candidates.iter().map(|it| it.transfer()) {
         if !transfers.contains(&transfer) && transfer != Some(Transfer::Gamma(RARE)) {

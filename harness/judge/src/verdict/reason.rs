@@ -9,7 +9,6 @@ use super::causes::{Causes, Inquiry};
 use super::plausible::readings;
 use super::replicas::Replicas;
 use super::stored::Stored;
-use super::suspects::Suspects;
 use super::verdict::Explanation;
 
 /// Why a picture differs.
@@ -45,17 +44,16 @@ impl Judge<'_> {
         replicas: &mut Replicas<'_, '_>,
         judged: &Evaluation,
     ) -> Reason {
-        let Case { folder, seed, is_over, .. } = self.case;
         let stored = judged.pool.stored;
-        let usual = (self.transfer, self.tone);
-        let mut ways = readings(theirs, usual, &replicas.films, self.areas);
+        let candidates = self.candidates(theirs);
+        let mut ways = readings(&candidates, theirs, &replicas.films, self.areas);
         let mut reason = Reason { is_guessed: ways.len() > 1, ..Reason::default() };
         // the likeliest first
         ways.sort_by_key(|way| way.transfer() != stored.transfer());
         let alike = self.alike_in_all_pixels(theirs, replicas, stored);
         let explained =
             alike.map(|it| (it, stored)).or_else(|| self.explained(theirs, replicas, &ways));
-        if is_over() {
+        if (self.is_over)() {
             reason.causes.is_unfinished = true;
             return reason;
         }
@@ -69,9 +67,8 @@ impl Judge<'_> {
         }
         let mut scene = self.scene.clone();
         scene.image.sampler = replicas.world.image.sampler.clone();
-        let suspects = Suspects { scene: &scene, folder, seed, is_over };
-        let mut inquiry = Inquiry { judge: *self, theirs, replicas, suspects, judged };
-        let (causes, way) = inquiry.causes(&ways);
+        let judge = Judge { case: Case { scene: &scene, ..self.case }, ..*self };
+        let (causes, way) = Inquiry { judge, theirs, replicas, judged }.causes(&ways);
         reason.way = if causes.explained_by.is_empty() { reason.way.or(way) } else { way };
         reason.causes = causes;
         reason.settled()

@@ -1,7 +1,5 @@
 //! Who may have made a picture: the known mistakes in all their forms, and changes in one place of the scene.
 
-use std::path::Path;
-
 use groundtruth::film::Film;
 use groundtruth::render::{self, Canvas, Renderer};
 use groundtruth::rgb::Rgb;
@@ -9,22 +7,11 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
+use super::case::Case;
 use super::causes::Cause;
 use super::place::Place;
 use crate::mistakes::local::{self, Local};
-use crate::mistakes::{self, IsOver, Mistake, Mistaken, Probed};
-
-/// A scene whose mistaken pictures are rendered.
-pub(super) struct Suspects<'a> {
-    /// The scene, at the size of the picture.
-    pub scene: &'a Scene,
-    /// Where the files are that it names.
-    pub folder: &'a Path,
-    /// The seed of the first replica.
-    pub seed: u64,
-    /// Whether the search is to end.
-    pub is_over: IsOver<'a>,
-}
+use crate::mistakes::{self, Mistake, Mistaken, Probed};
 
 /// One that may have made a picture.
 pub(super) enum Suspect {
@@ -54,7 +41,7 @@ impl Suspect {
     }
 
     /// Its picture of a scene with a seed; `None` if it has none, or if the search is to end.
-    pub fn picture(&self, of: &Suspects<'_>, seed: u64) -> Option<Film> {
+    pub fn picture(&self, of: &Case<'_>, seed: u64) -> Option<Film> {
         match self {
             Self::Known(mistake) => {
                 let mistaken = Mistaken::new(mistake, of.scene, of.folder, seed).ok()??;
@@ -94,10 +81,10 @@ const SAMPLES: u32 = 1 << 15;
 /// Between the seeds of the two pictures of a suspect.
 const APART: u64 = 1 << 20;
 
-impl Suspects<'_> {
+impl Case<'_> {
     /// Some pixels of ours and of all suspects: with two seeds if there is noise. As much as there is when the search is
     /// to end.
-    pub fn lineup(&self, pixels: &[[u32; 2]], has_noise: bool, places: &[Place]) -> Lineup {
+    pub(super) fn lineup(&self, pixels: &[[u32; 2]], has_noise: bool, places: &[Place]) -> Lineup {
         let mut scene = self.scene.clone();
         if has_noise {
             let few = (SAMPLES / pixels.len() as u32).clamp(FEWEST_SAMPLES, FEW_SAMPLES);
@@ -126,7 +113,11 @@ impl Suspects<'_> {
     }
 
     /// Those of the changed scenes whose pixels are not ours.
-    pub fn suspected(&self, changed: Vec<Local>, lineup: &Lineup) -> Vec<(Suspect, Vec<Vec<Rgb>>)> {
+    pub(super) fn suspected(
+        &self,
+        changed: Vec<Local>,
+        lineup: &Lineup,
+    ) -> Vec<(Suspect, Vec<Vec<Rgb>>)> {
         let of = |local: Local| {
             let of_seed = |(seed, ours): (&u64, &Vec<Rgb>)| {
                 let values = self.pixels(&local.scene, *seed, lineup)?;
@@ -140,7 +131,7 @@ impl Suspects<'_> {
     }
 
     /// The pixels of a lineup in another scene; `None` if it has no world, or the search is to end.
-    pub fn pixels(&self, scene: &Scene, seed: u64, lineup: &Lineup) -> Option<Vec<Rgb>> {
+    pub(super) fn pixels(&self, scene: &Scene, seed: u64, lineup: &Lineup) -> Option<Vec<Rgb>> {
         let mut scene = scene.clone();
         scene.image = lineup.scene.image.clone();
         let world = World::build_seeded(&scene, self.folder, seed).ok()?;
