@@ -9,9 +9,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use super::Mistake;
-use super::probed::replica;
 use super::table::{Effect, changes};
+use super::{Mistake, replica};
 
 /// The columns between the two pictures.
 pub const GAP: u32 = 8;

@@ -12,8 +12,7 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term};
 use groundtruth::world::{Search, World};
 
-use super::recorder::Reweighing;
-use super::{How, Mistake, all, built};
+use super::{How, Mistake, Reweighing, all, built};
 
 /// A program with a mistake, and the scene that it renders.
 #[derive(Debug)]

@@ -3,9 +3,8 @@
 use text::document::*;
 
 use super::local::of_one_material;
-use super::shown::{Cover, fewest_scenes, scenes_that_show};
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
-use super::{How, Mistake, all, forms};
+use super::{Cover, How, Mistake, all, fewest_scenes, forms, scenes_that_show};
 
 /// The page, as Markdown.
 pub fn page() -> String {

@@ -10,8 +10,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource};
 use groundtruth::world::World;
 
-use super::Mistake;
-use super::observed::{ObservedRay, ObservedSurface, ObservedTerm, RaySoFar};
+use super::observed::RaySoFar;
+use super::{Mistake, ObservedRay, ObservedSurface, ObservedTerm};
 
 /// A ray that is under way.
 #[derive(Debug)]

@@ -8,8 +8,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::DEFAULT_SEED;
 
-use super::probed::{Probed, replicas};
-use super::{Mistake, all};
+use super::{Mistake, Probed, all, replicas};
 
 /// The width of the measured pictures, in pixels.
 pub const WIDTH: u32 = 48;

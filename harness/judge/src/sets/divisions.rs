@@ -3,8 +3,7 @@
 use groundtruth::math::{Pcg32, power_of_two};
 use rayon::prelude::*;
 
-use super::Watch;
-use super::sums::{AreaSums, Design};
+use super::{AreaSums, Design, Watch};
 
 /// The ways in which chance could have divided pictures, as weights of the pictures; the first is the one that was.
 pub struct Divisions {

@@ -6,10 +6,8 @@ use serde::Serialize;
 use statistics::means::two_samples;
 use statistics::quantile;
 
-use super::divisions::{Divisions, Rank};
-use super::noise::{Noise, Pairs};
-use super::sums::{AreaSums, Design, SumKind, channels};
-use super::{Method, Sets, Watch};
+use super::sums::channels;
+use super::{AreaSums, Design, Divisions, Method, Noise, Pairs, Rank, Sets, SumKind, Watch};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, mean_of, own_variance};
 

@@ -3,10 +3,7 @@
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use super::Sets;
-use super::evidence::SetEvidence;
-use super::noise::Pairs;
-use super::sums::SumKind;
+use super::{Pairs, SetEvidence, Sets, SumKind};
 use crate::verdict::{Answer, Areas};
 use statistics::means::{difference, interval};
 

@@ -2,9 +2,8 @@
 
 use serde::Serialize;
 
-use super::Sets;
-use super::evidence::SetEvidence;
 use super::sums::{channels, slope};
+use super::{SetEvidence, Sets};
 use crate::verdict::residuals::{around, mean_of};
 
 /// The gains that are tried.

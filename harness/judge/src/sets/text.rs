@@ -5,8 +5,7 @@ use std::fmt;
 
 use text::brief::count;
 
-use super::evidence::Reason;
-use super::{AreaDifference, AreaMeans, Method, Noise, Odd, SetsDecision, SetsVerdict};
+use super::{AreaDifference, AreaMeans, Method, Noise, Odd, Reason, SetsDecision, SetsVerdict};
 use pictures::compare::article;
 use text::digits::short;
 use text::percent;

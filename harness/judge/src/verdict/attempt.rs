@@ -6,14 +6,12 @@ use groundtruth::film::Film;
 use groundtruth::samplers;
 use groundtruth::world::World;
 
-use super::case::Case;
 use super::hopeless::{is_hopeless, steps};
 use super::planted::brighter;
 use super::sampling::Sampling;
-use super::verdict::Explanation;
 use super::{
-    Area, Areas, Decision, Evaluation, Exclusion, Finding, PlantedDefect, PoolContext, Progress,
-    Replicas, Stored, is_alike, is_nearer, noise, planted,
+    Area, Areas, Case, Decision, Evaluation, Exclusion, Explanation, Finding, PlantedDefect,
+    PoolContext, Progress, Replicas, Stored, is_alike, is_nearer, noise, planted,
 };
 use pictures::compare::Picture;
 

@@ -7,11 +7,10 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::attempt::{Judge, better, read};
-use super::finding::{Finding, More};
-use super::lossy;
+use super::finding::More;
 use super::{
-    Areas, DecidedBy, Decision, Progress, RayTolerance, Reference, Renders, Replicas, Stored,
-    Strictness, Verdict, plausible, several, smallest_gains,
+    Areas, DecidedBy, Decision, Finding, Progress, RayTolerance, Reference, Renders, Replicas,
+    Stored, Strictness, Verdict, lossy, plausible, several, smallest_gains,
 };
 use crate::mistakes::IsOver;
 use pictures::compare::{Picture, Transfer};

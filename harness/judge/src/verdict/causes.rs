@@ -13,19 +13,13 @@ use pictures::compare::{Change, Picture, Transfer};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::Evaluation;
-use super::areas::Areas;
 use super::attempt::{Judge, read};
-use super::case::Case;
-use super::evidence::{Evidence, finite};
+use super::evidence::finite;
 use super::linear::less;
 use super::numbers::Searched;
-use super::place::Place;
-use super::pool::Pool;
-use super::replicas::Replicas;
 use super::share::{Share, remainder};
-use super::stored::Stored;
 use super::suspects::{Lineup, Suspect};
+use super::{Areas, Case, Evaluation, Evidence, Place, Pool, Replicas, Stored};
 use crate::mistakes::local::Local;
 
 /// A mistake that explains a picture.

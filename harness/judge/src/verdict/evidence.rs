@@ -4,10 +4,8 @@ use std::mem::take;
 
 use pictures::compare::spread;
 
-use super::areas::Areas;
-use super::pool::Pool;
 use super::residuals::{Residuals, around};
-use super::stored::Stored;
+use super::{Areas, Pool, Stored};
 
 /// A picture beside ours: three values a pixel, as radiance.
 #[derive(Clone, Debug)]

@@ -2,12 +2,11 @@
 
 use pictures::compare::Picture;
 
-use super::pictures_shown::ShownPictures;
 use super::reason::Reason;
 use super::residuals::mean_of;
 use super::{
     Area, Areas, DecidedBy, Decision, DifferingRegion, Evaluation, Map, Means, Negative,
-    PlantedDefect, Pool, Ranking, Stored, Strictness, Verdict, WelchTest,
+    PlantedDefect, Pool, Ranking, ShownPictures, Stored, Strictness, Verdict, WelchTest,
 };
 
 /// Regions that are listed at most.

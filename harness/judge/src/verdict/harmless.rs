@@ -7,11 +7,8 @@ use pictures::compare::{
 };
 
 use super::attempt::Judge;
-use super::case::Case;
-use super::replicas::Replicas;
 use super::residuals::mean_of;
-use super::stored::Stored;
-use super::verdict::Explanation;
+use super::{Case, Explanation, Replicas, Stored};
 
 /// So many harmless changes are judged.
 const TRIED: usize = 4;

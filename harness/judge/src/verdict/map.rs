@@ -1,9 +1,7 @@
 //! The differences of one picture from the others, and their sums over areas.
 
-use super::areas::{Area, Areas};
-use super::pool::Pool;
-use super::ranking::{DifferenceKind, DifferingArea};
 use super::residuals::{Residuals, around, neighbours, own_variance};
+use super::{Area, Areas, DifferenceKind, DifferingArea, Pool};
 
 /// Where the others hardly differ, their variance is at least this part of that around it.
 const SMALLEST_VARIANCE: f64 = 0.01;

@@ -5,9 +5,8 @@ use std::iter;
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use super::areas::{Area, Areas};
 use super::evidence::finite;
-use super::pool::Pool;
+use super::{Area, Areas, Pool};
 use statistics::means::difference;
 
 /// The mean of an area in a picture, and that of the others.

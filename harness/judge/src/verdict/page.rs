@@ -3,10 +3,7 @@
 use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 
-use super::means::Means;
-use super::pictures_shown::ShownPictures;
-use super::text;
-use super::verdict::{DifferingRegion, Verdict};
+use super::{DifferingRegion, Means, ShownPictures, Verdict, text};
 use ::text::digits::short;
 use ::text::document::*;
 use ::text::html;

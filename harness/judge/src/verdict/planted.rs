@@ -2,10 +2,7 @@
 
 use groundtruth::film::Film;
 
-use super::areas::{Area, Areas};
-use super::map::Map;
-use super::pool::Pool;
-use super::ranking::Ranking;
+use super::{Area, Areas, Map, Pool, Ranking};
 
 /// A planted defect.
 #[derive(Clone, Debug, serde::Serialize)]

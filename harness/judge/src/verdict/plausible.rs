@@ -6,8 +6,8 @@ use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use rayon::prelude::*;
 
-use super::areas::{Area, Areas, BACKGROUND};
-use super::stored::Stored;
+use super::areas::BACKGROUND;
+use super::{Area, Areas, Stored};
 use pictures::compare::{Picture, Transfer, spread};
 
 /// About so many pixels are held against all ways, and so many against those that are left.

@@ -2,9 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::reference::Mean;
 use super::residuals::mean_of;
-use super::stored::Stored;
+use super::{Mean, Stored};
 
 /// Pictures of one size, as their stored values. Which of them is judged makes no difference to what is done with any.
 #[derive(Clone, Debug)]

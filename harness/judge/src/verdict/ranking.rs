@@ -7,10 +7,8 @@
 
 use rayon::prelude::*;
 
-use super::areas::{Area, Areas};
-use super::map::Map;
-use super::pool::Pool;
 use super::residuals::detail;
+use super::{Area, Areas, Map, Pool};
 use statistics::quantile;
 
 /// How far out the pictures of a pool are.

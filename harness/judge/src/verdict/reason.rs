@@ -2,14 +2,10 @@
 
 use pictures::compare::Picture;
 
-use super::Evaluation;
 use super::attempt::Judge;
-use super::case::Case;
-use super::causes::{Causes, Inquiry};
+use super::causes::Inquiry;
 use super::plausible::readings;
-use super::replicas::Replicas;
-use super::stored::Stored;
-use super::verdict::Explanation;
+use super::{Case, Causes, Evaluation, Explanation, Replicas, Stored};
 
 /// Why a picture differs.
 #[derive(Default)]

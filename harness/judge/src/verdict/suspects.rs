@@ -7,9 +7,7 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
-use super::case::Case;
-use super::causes::Cause;
-use super::place::Place;
+use super::{Case, Cause, Place};
 use crate::mistakes::local::{self, Local};
 use crate::mistakes::{self, Mistake, Mistaken, Probed};
 

@@ -5,8 +5,10 @@ use std::fmt;
 use text::brief::count;
 
 use super::place::ALL;
-use super::verdict::{DecidedBy, DifferingRegion, Explanation, Verdict};
-use super::{Cause, Causes, Decision, Means, Nearest, Place, Relative};
+use super::{
+    Cause, Causes, DecidedBy, Decision, DifferingRegion, Explanation, Means, Nearest, Place,
+    Relative, Verdict,
+};
 use pictures::compare::article;
 use text::digits::{short, three};
 use text::percent;

@@ -5,10 +5,9 @@ use text::brief::count;
 
 use pictures::compare::Affected;
 
-use super::pictures_shown::ShownPictures;
 use super::{
     Answer, Area, Areas, Causes, Decision, DifferingArea, Map, Means, Negative, PlantedDefect,
-    Pool, Stored,
+    Pool, ShownPictures, Stored,
 };
 
 /// What is said of a picture.
