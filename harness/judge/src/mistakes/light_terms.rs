@@ -10,7 +10,7 @@ use super::{Mistake, ObservedRay, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::ray("last-sample-left-out", |ray| {
-        if ray.is_last_sample { Rgb::BLACK } else { ray.arriving() }
+        if ray.ray.is_last_sample { Rgb::BLACK } else { ray.arriving() }
     }),
     Mistake::factor("no-ambient", |term| is_ambient(term).then_some(0.0)),
     Mistake::factor("ambient-for-each-light", |term| {
@@ -43,7 +43,7 @@ pub(super) const ALL: &[Mistake] = &[
         _ => None,
     }),
     Mistake::factor("last-light-sample-left-out", |term| match term.term.source {
-        TermSource::Direct { pdf: Some(_), .. } if term.is_last_sample => Some(0.0),
+        TermSource::Direct { pdf: Some(_), .. } if term.ray.is_last_sample => Some(0.0),
         _ => None,
     }),
 ];

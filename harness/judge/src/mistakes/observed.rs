@@ -29,6 +29,8 @@ pub struct RaySoFar {
     pub ray: Ray,
     /// `None` if it met nothing, or is a shadow ray.
     pub surface: Option<ObservedSurface>,
+    /// Whether it is of the last of several samples of the pixel.
+    pub is_last_sample: bool,
 }
 
 /// A term, for a mistake that changes its value.
@@ -43,8 +45,6 @@ pub struct ObservedTerm<'a> {
     pub arriving: Rgb,
     /// The ray along which it arrives, if one was cast.
     pub from: Option<&'a Ray>,
-    /// Whether this is the last of several samples of the pixel.
-    pub is_last_sample: bool,
 }
 
 /// A ray that ends, for a mistake that changes what arrives along it.
@@ -55,8 +55,6 @@ pub struct ObservedRay<'a> {
     pub transmittance: Rgb,
     /// The sum of its terms, as the program with the mistake finds it.
     pub sum: Rgb,
-    /// Whether this is the last of several samples of the pixel.
-    pub is_last_sample: bool,
 }
 
 impl ObservedRay<'_> {

@@ -25,17 +25,11 @@ struct Frame {
 
 impl Frame {
     /// A term of this ray, as the mistake of this number observes it; 0 is none.
-    fn observed<'a>(
-        &'a self,
-        world: &'a World,
-        term: &'a Term,
-        index: usize,
-        is_last_sample: bool,
-    ) -> ObservedTerm<'a> {
+    fn observed<'a>(&'a self, world: &'a World, term: &'a Term, index: usize) -> ObservedTerm<'a> {
         let child = self.child.as_ref().filter(|_| is_of_child(&term.source));
         let arriving = child.map_or(term.arriving, |(_, radiance)| radiance[index]);
         let from = child.and_then(|(ray, _)| ray.as_ref());
-        ObservedTerm { world, ray: &self.ray, term, arriving, from, is_last_sample }
+        ObservedTerm { world, ray: &self.ray, term, arriving, from }
     }
 }
 
@@ -73,7 +67,7 @@ impl<'a> Reweighing<'a> {
     /// The term of a program with the first mistake: its own light that arrives, and its own value.
     pub(super) fn altered(&self, term: &Term) -> Term {
         let frame = self.frames.last().expect("a ray is under way");
-        let observed = frame.observed(self.world, term, 1, self.is_last_sample);
+        let observed = frame.observed(self.world, term, 1);
         let (arriving, value) = (observed.arriving, self.mistakes[0].value(&observed));
         if value == observed.value() {
             return Term { arriving, value, ..*term };
@@ -85,13 +79,12 @@ impl<'a> Reweighing<'a> {
     /// What arrives along the ray that ends, in a program with the first mistake, and the transmittance that makes it so.
     pub(super) fn ended(&self, transmittance: Rgb) -> (Rgb, Rgb) {
         let Frame { ray, sums, .. } = self.frames.last().expect("a ray is under way");
-        let (sum, is_last_sample) = (sums[1], self.is_last_sample);
-        let observed = ObservedRay { ray, transmittance, sum, is_last_sample };
+        let observed = ObservedRay { ray, transmittance, sum: sums[1] };
         let arriving = self.mistakes[0].arriving(&observed);
         if arriving == observed.arriving() {
             return (transmittance, arriving);
         }
-        (factors(arriving, transmittance, sum).0, arriving)
+        (factors(arriving, transmittance, sums[1]).0, arriving)
     }
 
     /// A buffer of black sums.
@@ -128,7 +121,8 @@ fn is_of_child(source: &TermSource) -> bool {
 
 impl Recorder for Reweighing<'_> {
     fn enter(&mut self, kind: RayKind, ray: &Ray, _: u32, _: Rgb) {
-        let (ray, sums) = (RaySoFar { kind, ray: *ray, surface: None }, self.sums());
+        let (sums, is_last_sample) = (self.sums(), self.is_last_sample);
+        let ray = RaySoFar { kind, ray: *ray, surface: None, is_last_sample };
         self.frames.push(Frame { ray, sums, child: None });
     }
 
@@ -138,23 +132,20 @@ impl Recorder for Reweighing<'_> {
     }
 
     fn term(&mut self, term: Term) {
-        let (world, is_last_sample) = (self.world, self.is_last_sample);
         let frame = self.frames.last_mut().expect("a ray is under way");
-        let ours = frame.observed(world, &term, 0, is_last_sample).value();
+        let ours = frame.observed(self.world, &term, 0).value();
         frame.sums[0] += ours;
         for (index, mistake) in (1..).zip(self.mistakes) {
-            let value = mistake.value(&frame.observed(world, &term, index, is_last_sample));
+            let value = mistake.value(&frame.observed(self.world, &term, index));
             frame.sums[index] += value;
         }
     }
 
     fn leave(&mut self, outcome: Outcome, transmittance: Rgb, _: Rgb) {
-        let is_last_sample = self.is_last_sample;
         let Frame { ray, mut sums, child } = self.frames.pop().expect("a ray is under way");
         sums[0] = transmittance * sums[0];
         for (sum, mistake) in sums[1..].iter_mut().zip(self.mistakes) {
-            let ray = ObservedRay { ray: &ray, transmittance, sum: *sum, is_last_sample };
-            *sum = mistake.arriving(&ray);
+            *sum = mistake.arriving(&ObservedRay { ray: &ray, transmittance, sum: *sum });
         }
         self.spare.extend(child.map(|(_, radiance)| radiance));
         match self.frames.last_mut() {

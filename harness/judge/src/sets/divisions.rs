@@ -29,13 +29,11 @@ impl Divisions {
     /// Divides pictures, those before first, into sets of these sizes, in all ways or in `most` random ones.
     pub fn sets([n, m]: [usize; 2], most: usize) -> Self {
         let is_all = Self::of_sets([n, m]) <= most as f64;
-        let was: Vec<bool> = (0..n + m).map(|picture| picture >= n).collect();
         let ways = if is_all {
-            let mut ways = all(n, m);
             // of two sets of one size, the first picture stays in the first
-            ways.retain(|way| n != m || !way[0]);
-            ways
+            all(n, m).into_iter().filter(|way| n != m || !way[0]).collect()
         } else {
+            let was = (0..n + m).map(|picture| picture >= n).collect();
             random(was, most, |way, random| random.shuffle(way))
         };
         let weight = |is_after: &bool| if *is_after { 1.0 / m as f64 } else { -1.0 / n as f64 };

@@ -2,6 +2,7 @@
 
 use super::Sets;
 use super::sums::ROUNDING;
+use crate::verdict::residuals::near;
 
 /// The pixels to either side of one whose noise says whether chance could have repeated its value.
 const REACH: usize = 2;
@@ -38,10 +39,8 @@ impl Sets {
     /// Whether the noise of some pixel near this one takes few values.
     fn is_near_few_values(&self, pixel: usize) -> bool {
         let [width, height] = self.areas.size;
-        let near =
-            |at: usize, length: usize| at.saturating_sub(REACH)..(at + REACH + 1).min(length);
-        let mut rows = near(pixel / width, height);
-        rows.any(|y| near(pixel % width, width).any(|x| self.has_few_values(y * width + x)))
+        near(pixel / width, height, REACH)
+            .any(|y| near(pixel % width, width, REACH).any(|x| self.has_few_values(y * width + x)))
     }
 
     /// Whether the noise of a pixel gives two pictures the same colour.

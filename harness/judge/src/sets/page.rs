@@ -1,7 +1,7 @@
 //! A verdict on two sets of pictures as one HTML page.
 
 use super::{AreaDifference, SetsVerdict};
-use crate::verdict::{STYLE, frame, map_film, map_with_legend};
+use crate::verdict::{STYLE, map_film, map_with_legend};
 use pictures::compare::pair;
 use text::document::several;
 use text::told::Told;
@@ -12,7 +12,8 @@ pub fn page(verdict: &SetsVerdict, told: &Told) -> String {
     const WORDS: &str = "Of each pixel (of tiles, if the picture is large); brighter where it is larger after. Areas that \
          differ are framed.";
     let size = verdict.shown[0].size;
-    let framed = |area: &AreaDifference| frame(&area.name, area.bounds, size);
+    let framed =
+        |area: &AreaDifference| pair::frame(&area.name, area.bounds.map(|it| it as u32), size);
     let map = map_with_legend(
         ("Difference in standard deviations of the noise", WORDS),
         (&map_film(&verdict.z, size), "map of the difference"),

@@ -120,7 +120,7 @@ impl Judge<'_> {
             .iter()
             .enumerate()
             .map_while(|(way, stored)| self.judged_as(theirs, *stored, replicas, !is_last(way)));
-        better(attempts, |finding| finding.decision)
+        better(attempts)
     }
 
     /// The picture judged, stored in one way; `keeps` our films for the next.
@@ -260,13 +260,10 @@ impl Judge<'_> {
 }
 
 /// The first that does not differ; else the first.
-pub(super) fn better<T>(
-    all: impl Iterator<Item = T>,
-    decision: impl Fn(&T) -> Decision,
-) -> Option<T> {
+pub(super) fn better(all: impl Iterator<Item = Finding>) -> Option<Finding> {
     let mut first = None;
     for one in all {
-        if decision(&one) != Decision::Differs {
+        if one.decision != Decision::Differs {
             return Some(one);
         }
         first.get_or_insert(one);

@@ -66,96 +66,13 @@ impl<'a> Case<'a> {
         theirs: &[Picture],
         renders: Renders<'_>,
     ) -> Option<Verdict> {
-        match theirs {
-            [only] => self.verdict_on_one(world, only, renders),
-            several => self.verdict_on_several(world, several, renders),
-        }
-    }
-
-    fn verdict_on_one(
-        &self,
-        world: &mut World,
-        theirs: &Picture,
-        renders: Renders<'_>,
-    ) -> Option<Verdict> {
         let areas = Areas::of(world);
-        let mut replicas = Replicas::new(world, self.seed, renders);
-        replicas.fill(self.strictness.first);
         let judge = Judge { areas: &areas, case: *self };
-        let independent = judge
-            .preliminary(theirs, &replicas)
-            .is_some_and(|noise| judge.match_noise(theirs, &mut replicas, noise));
-        let mut finding = judge.judged(theirs, &mut replicas)?;
-        let stored = finding.judged.pool.stored;
-        let mut more = More::default();
-        let values = read(theirs, stored);
-        if let Some(equal) = replicas.films.iter().position(|film| stored.values(film) == values) {
-            more.equal_to_seed = Some(self.seed + equal as u64);
-            return Some(finding.with(more, &areas, self.strictness));
+        let replicas = Replicas::new(world, self.seed, renders);
+        match theirs {
+            [only] => judge.verdict_on_one(only, replicas),
+            several => judge.verdict_on_several(several, replicas),
         }
-        more.independent = independent;
-        let is_loss = |loss: f64| lossy::agrees(theirs, loss, stored, &replicas.films);
-        match finding.decision {
-            Decision::Differs if theirs.loss.is_some_and(is_loss) => more.loss = theirs.loss,
-            // beside that, nothing is to be explained
-            Decision::Differs if finding.decided_by == Some(DecidedBy::Negative) => {}
-            Decision::Differs => {
-                (self.so_far)(Progress::Explaining);
-                more.reason = judge.reason(theirs, &mut replicas, &finding.judged);
-                if let Some(way) = more.reason.way.filter(|way| *way != stored)
-                    && let Some(other) = judge.judged_as(theirs, way, &mut replicas, true)
-                    && other.decision == Decision::Differs
-                {
-                    finding = other;
-                }
-            }
-            Decision::Agrees if !finding.judged.is_fixed => {
-                let judged = &finding.judged;
-                more.plants = judge.planted_defects(&mut replicas, judged);
-                more.gains = smallest_gains(&judged.pool, &areas, &judged.ranking);
-            }
-            _ => {}
-        }
-        Some(finding.with(more, &areas, self.strictness))
-    }
-
-    /// Nothing is assumed of the noise of several pictures. Of a scene without random numbers each is judged by itself, and
-    /// the first that does not agree is said.
-    fn verdict_on_several(
-        &self,
-        world: &mut World,
-        theirs: &[Picture],
-        renders: Renders<'_>,
-    ) -> Option<Verdict> {
-        let areas = Areas::of(world);
-        let mut replicas = Replicas::new(world, self.seed, renders);
-        replicas.fill(self.strictness.first.max(AGAINST_SEVERAL));
-        if replicas.films.len() < 3 {
-            return None;
-        }
-        if replicas.films.windows(2).all(|two| two[0] == two[1]) {
-            let renders = replicas.renders;
-            let mut last = None;
-            for picture in theirs {
-                let verdict = self.verdict_on_one(world, picture, renders)?;
-                if verdict.decision != Decision::Agrees {
-                    return Some(verdict);
-                }
-                last = Some(verdict);
-            }
-            return last;
-        }
-        let films = &replicas.films;
-        let found = |stored: Stored| {
-            let ours = stored.all(films);
-            let values: Vec<Vec<f32>> = theirs.iter().map(|it| read(it, stored)).collect();
-            let tests = several(&values, &ours, &areas);
-            let subject = (stored, &areas, self.strictness);
-            let slack = stored.slack(&films[0]);
-            Finding::of_several(subject, [&values, &ours], &tests, &slack, theirs)
-        };
-        let found = self.ways(&theirs[0], films).into_iter().map(found);
-        better(found, |it| it.decision).map(|it| it.verdict(&areas, self.strictness))
     }
 
     /// The ways of storing that the values of a picture leave open, the likeliest first; `films` are some of ours.
@@ -167,5 +84,81 @@ impl<'a> Case<'a> {
     pub(super) fn candidates(&self, theirs: &Picture) -> Vec<Stored> {
         let image = &self.scene.image;
         Stored::candidates(theirs, self.transfer, (image.gamma, image.out_of_gamut))
+    }
+}
+
+impl Judge<'_> {
+    fn verdict_on_one(&self, theirs: &Picture, mut replicas: Replicas<'_, '_>) -> Option<Verdict> {
+        replicas.fill(self.strictness.first);
+        let noise = self.preliminary(theirs, &replicas);
+        let independent = noise.is_some_and(|noise| self.match_noise(theirs, &mut replicas, noise));
+        let mut finding = self.judged(theirs, &mut replicas)?;
+        let stored = finding.judged.pool.stored;
+        let mut more = More::default();
+        let values = read(theirs, stored);
+        if let Some(equal) = replicas.films.iter().position(|film| stored.values(film) == values) {
+            more.equal_to_seed = Some(self.seed + equal as u64);
+            return Some(finding.with(more, self.areas, self.strictness));
+        }
+        more.independent = independent;
+        let is_loss = |loss: f64| lossy::agrees(theirs, loss, stored, &replicas.films);
+        match finding.decision {
+            Decision::Differs if theirs.loss.is_some_and(is_loss) => more.loss = theirs.loss,
+            // beside that, nothing is to be explained
+            Decision::Differs if finding.decided_by == Some(DecidedBy::Negative) => {}
+            Decision::Differs => {
+                (self.so_far)(Progress::Explaining);
+                more.reason = self.reason(theirs, &mut replicas, &finding.judged);
+                if let Some(way) = more.reason.way.filter(|way| *way != stored)
+                    && let Some(other) = self.judged_as(theirs, way, &mut replicas, true)
+                    && other.decision == Decision::Differs
+                {
+                    finding = other;
+                }
+            }
+            Decision::Agrees if !finding.judged.is_fixed => {
+                let judged = &finding.judged;
+                more.plants = self.planted_defects(&mut replicas, judged);
+                more.gains = smallest_gains(&judged.pool, self.areas, &judged.ranking);
+            }
+            _ => {}
+        }
+        Some(finding.with(more, self.areas, self.strictness))
+    }
+
+    /// Nothing is assumed of the noise of several pictures. Of a scene without random numbers each is judged by itself, and
+    /// the first that does not agree is said.
+    fn verdict_on_several(
+        &self,
+        theirs: &[Picture],
+        mut replicas: Replicas<'_, '_>,
+    ) -> Option<Verdict> {
+        replicas.fill(self.strictness.first.max(AGAINST_SEVERAL));
+        if replicas.films.len() < 3 {
+            return None;
+        }
+        if replicas.films.windows(2).all(|two| two[0] == two[1]) {
+            let mut last = None;
+            for picture in theirs {
+                let again = Replicas::new(replicas.world, self.seed, replicas.renders);
+                let verdict = self.verdict_on_one(picture, again)?;
+                if verdict.decision != Decision::Agrees {
+                    return Some(verdict);
+                }
+                last = Some(verdict);
+            }
+            return last;
+        }
+        let films = &replicas.films;
+        let found = |stored: Stored| {
+            let ours = stored.all(films);
+            let values: Vec<Vec<f32>> = theirs.iter().map(|it| read(it, stored)).collect();
+            let tests = several(&values, &ours, self.areas);
+            let subject = (stored, self.areas, self.strictness);
+            let slack = stored.slack(&films[0]);
+            Finding::of_several(subject, [&values, &ours], &tests, &slack, theirs)
+        };
+        let found = self.ways(&theirs[0], films).into_iter().map(found);
+        better(found).map(|it| it.verdict(self.areas, self.strictness))
     }
 }

@@ -1,6 +1,6 @@
 //! The differences of one picture from the others, and their sums over areas.
 
-use super::residuals::{Residuals, around, neighbours, own_variance};
+use super::residuals::{Residuals, around, near, neighbours, own_variance};
 use super::{Area, Areas, DifferenceKind, DifferingArea, Pool};
 
 /// Where the others hardly differ, their variance is at least this part of that around it.
@@ -174,9 +174,8 @@ impl DifferenceSums {
 /// The counts that are not 0 and have no neighbour that is.
 fn inside(counts: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
     let is_inside = |pixel: usize| {
-        let near = |at: usize, length: usize| at.saturating_sub(1)..=(at + 1).min(length - 1);
-        let (x, y) = (pixel % width, pixel / width);
-        near(y, height).all(|row| near(x, width).all(|column| counts[row * width + column] > 0.0))
+        near(pixel / width, height, 1)
+            .all(|y| near(pixel % width, width, 1).all(|x| counts[y * width + x] > 0.0))
     };
     let count = |pixel| if is_inside(pixel) { counts[pixel] } else { 0.0 };
     (0..counts.len()).map(count).collect()

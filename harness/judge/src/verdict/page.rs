@@ -94,7 +94,9 @@ fn map(verdict: &Verdict) -> Element {
     const WORDS: &str = "Brighter where theirs is larger. Regions that differ are framed; pixels that do not count are \
          hatched.";
     let (size, excluded) = (verdict.shown.theirs.size, &verdict.shown.excluded);
-    let framed = |region: &DifferingRegion| frame(&region.name, region.bounds, size);
+    let framed = |region: &DifferingRegion| {
+        pair::frame(&region.name, region.bounds.map(|it| it as u32), size)
+    };
     let hatching = (!excluded.is_empty()).then(|| hatching(excluded, size));
     map_with_legend(
         ("Difference in standard deviations of the noise (z)", WORDS),
@@ -103,12 +105,6 @@ fn map(verdict: &Verdict) -> Element {
     )
 }
 
-/// A frame over a picture of this size, around the pixels from this left column and top row on, so many columns and rows.
-pub fn frame(name: &str, bounds: [usize; 4], size: [u32; 2]) -> Element {
-    pair::frame(name, bounds.map(|it| it as u32), size)
-}
-
-/// The means of the picture and of its objects.
 fn means(verdict: &Verdict) -> Element {
     let is_black = |means: &&Means| means.ours == [0.0; 3] && means.theirs == [0.0; 3];
     let mean = |color: [f64; 3]| color.map(short).join(", ");

@@ -1,5 +1,7 @@
 //! What is left of a picture without the mean of the others, and its noise.
 
+use std::ops::Range;
+
 use super::pool::{Against, Pool};
 
 /// The neighbours of a value whose variance counts: so many to either side.
@@ -113,18 +115,18 @@ pub fn around(values: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
     let mut rows = vec![0.0; values.len()];
     for (row, means) in values.chunks_exact(width).zip(rows.chunks_exact_mut(width)) {
         for (x, mean) in means.iter_mut().enumerate() {
-            let near = &row[near(x, width)];
+            let near = &row[near(x, width, REACH)];
             *mean = near.iter().sum::<f64>() / near.len() as f64;
         }
     }
     let mut around = vec![0.0; values.len()];
     for (y, means) in around.chunks_exact_mut(width).enumerate() {
-        let near = near(y, height);
+        let near = near(y, height, REACH);
         for row in near.clone() {
             let row = &rows[row * width..][..width];
             means.iter_mut().zip(row).for_each(|(sum, value)| *sum += value);
         }
-        let count = near.count() as f64;
+        let count = near.len() as f64;
         means.iter_mut().for_each(|sum| *sum /= count);
     }
     around
@@ -132,10 +134,10 @@ pub fn around(values: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
 
 /// The number of a value's neighbours, itself among them.
 pub fn neighbours(pixel: usize, [width, height]: [usize; 2]) -> f64 {
-    (near(pixel % width, width).count() * near(pixel / width, height).count()) as f64
+    (near(pixel % width, width, REACH).len() * near(pixel / width, height, REACH).len()) as f64
 }
 
-/// The places around one on a line.
-fn near(at: usize, length: usize) -> std::ops::RangeInclusive<usize> {
-    at.saturating_sub(REACH)..=(at + REACH).min(length - 1)
+/// The places around one on a line, so many to either side.
+pub fn near(at: usize, length: usize, reach: usize) -> Range<usize> {
+    at.saturating_sub(reach)..(at + reach + 1).min(length)
 }

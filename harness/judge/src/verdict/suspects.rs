@@ -100,8 +100,13 @@ impl Case<'_> {
             // one that changes the picture of one seed alone changes it by next to nothing
             tried = altered.iter().map(|(mistake, _)| *mistake).collect();
             found.ours.push(ours);
-            let all = &mut found.suspects;
-            altered.into_iter().for_each(|(mistake, values)| add(all, mistake, values));
+            for (mistake, values) in altered {
+                let is_it = |it: &Suspect| matches!(it, Suspect::Known(known) if *known == mistake);
+                match found.suspects.iter_mut().find(|(it, _)| is_it(it)) {
+                    Some((_, of_seeds)) => of_seeds.push(values),
+                    None => found.suspects.push((Suspect::Known(mistake), vec![values])),
+                }
+            }
         }
         found.suspects.retain(|(_, values)| values.len() == found.seeds.len());
         let places = self.changes_in_one_place(places);
@@ -148,13 +153,5 @@ impl Case<'_> {
             }
         }
         all
-    }
-}
-
-fn add(all: &mut Vec<(Suspect, Vec<Vec<Rgb>>)>, mistake: &'static Mistake, values: Vec<Rgb>) {
-    let is_it = |it: &Suspect| matches!(it, Suspect::Known(known) if *known == mistake);
-    match all.iter_mut().find(|(it, _)| is_it(it)) {
-        Some((_, of_seeds)) => of_seeds.push(values),
-        None => all.push((Suspect::Known(mistake), vec![values])),
     }
 }
