@@ -16,7 +16,6 @@ use super::mistakes::{self, Beside, Mistake, MistakeInScene, is_wrong_on_purpose
 pub use key::key;
 pub use sheet::sheet;
 
-/// The most samples of a pixel.
 const SAMPLES: u32 = 16;
 
 /// A picture, and the mistake that is to be found.

@@ -54,7 +54,6 @@ pub fn sheet(chapter: u32, level: Difficulty, tasks: &[Task]) -> String {
     page(&title, &[STYLE], &body.html())
 }
 
-/// The two pictures of a task with their captions.
 pub(super) fn pair(task: &Task, captions: [&str; 2]) -> Element {
     let tone = task.scene.image.tone();
     let films = [&task.pictures.right, &task.pictures.wrong];

@@ -123,7 +123,6 @@ impl Edit {
     }
 }
 
-/// Changes each of these fields.
 fn all<T>(
     amounts: &BTreeMap<String, T>,
     fields: &mut Fields,
@@ -185,26 +184,22 @@ pub(super) fn instead(fields: &mut Fields, path: &str, value: &Value) -> Option<
     set(fields, path, value)
 }
 
-/// Leaves a field out.
 pub(super) fn without(fields: &mut Fields, path: &str) -> Option<()> {
     let (fields, name) = slot(fields, path)?;
     fields.remove(name).map(|_| ())
 }
 
-/// Gives a field that is there the value of another.
 fn like(fields: &mut Fields, path: &str, from: &str) -> Option<()> {
     let value = get(fields, from)?.clone();
     instead(fields, path, &value)
 }
 
-/// Exchanges two fields that are there.
 fn exchange(fields: &mut Fields, a: &str, b: &str) -> Option<()> {
     let (first, second) = (get(fields, a)?.clone(), get(fields, b)?.clone());
     set(fields, a, &second)?;
     set(fields, b, &first)
 }
 
-/// The other of two values.
 fn toggle(fields: &mut Fields, path: &str, [one, other]: &[Value; 2]) -> Option<()> {
     match get(fields, path)? {
         it if same(it, one) => set(fields, path, other),
@@ -213,7 +208,6 @@ fn toggle(fields: &mut Fields, path: &str, [one, other]: &[Value; 2]) -> Option<
     }
 }
 
-/// Turns a list round.
 fn reverse(fields: &mut Fields, path: &str) -> Option<()> {
     let (fields, name) = slot(fields, path)?;
     let items = fields.get_mut(name)?.as_array_mut()?;
@@ -221,7 +215,6 @@ fn reverse(fields: &mut Fields, path: &str) -> Option<()> {
     (items.len() > 1).then_some(())
 }
 
-/// Changes a number by an amount.
 fn number_by(
     fields: &mut Fields,
     path: &str,

@@ -11,7 +11,6 @@ use toml::Spanned;
 
 use super::edit::{Edit, apply};
 
-/// The file.
 const FILE: &str = include_str!("../../mistakes.toml");
 
 /// A mistake: an entry of the file.

@@ -37,7 +37,6 @@ pub struct RaySoFar {
 #[derive(Clone, Copy, Debug)]
 pub struct ObservedTerm<'a> {
     pub world: &'a World,
-    /// The ray along which the term is sent.
     pub ray: &'a RaySoFar,
     /// The term as the tracer adds it.
     pub term: &'a Term,
@@ -58,7 +57,6 @@ pub struct ObservedRay<'a> {
 }
 
 impl ObservedRay<'_> {
-    /// What arrives without a mistake.
     pub fn arriving(&self) -> Rgb {
         self.transmittance * self.sum
     }

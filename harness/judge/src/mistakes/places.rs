@@ -107,7 +107,6 @@ pub(super) fn items(
     any(items.iter_mut().filter_map(|item| change(item.as_object_mut()?)))
 }
 
-/// Changes each step of a list.
 fn steps(list: &mut Value, change: Change<'_>) -> Option<()> {
     any(list.as_array_mut()?.iter_mut().filter_map(|step| change("", step.as_object_mut()?)))
 }
@@ -170,7 +169,6 @@ pub(super) fn tracer(data: &Value) -> &str {
     kind.map(String::as_str).or_else(|| tracer.as_str()).unwrap_or("ray_cast")
 }
 
-/// Whether lights of this kind are ambient.
 pub(super) fn is_ambient(kind: &str) -> bool {
     ["ambient", "ambient_occluder"].contains(&kind)
 }

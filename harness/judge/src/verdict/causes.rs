@@ -284,7 +284,6 @@ impl<'a> Reading<'a> {
         self.evidence.tiles(|at| finite(change(3 * self.index[at / 3] + at % 3)))
     }
 
-    /// Adds the changes of the suspects from this one on.
     fn add(&mut self, lineup: &Lineup, first: usize) {
         let of = |(_, values): &(Suspect, Vec<Vec<Rgb>>)| {
             values
@@ -321,7 +320,6 @@ impl<'a> Reading<'a> {
         if left < -self.before { left.abs() } else { left }
     }
 
-    /// How much of the difference a hypothesis explains.
     fn share(&self, it: &Hypothesis, theirs: &Picture) -> Share {
         let difference = self.difference(&it.change.applied(theirs));
         let of = |change: &Vec<f64>| less(&difference, change);
@@ -380,7 +378,6 @@ impl Hypothesis {
     }
 }
 
-/// The first and the last.
 fn ends(changes: &[Vec<f64>]) -> [&Vec<f64>; 2] {
     [&changes[0], &changes[changes.len() - 1]]
 }

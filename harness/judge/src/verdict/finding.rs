@@ -108,7 +108,6 @@ impl Finding {
         self.with(More::default(), areas, strictness)
     }
 
-    /// The verdict.
     pub(super) fn with(self, more: More, areas: &Areas, strictness: Strictness) -> Verdict {
         let judged = &self.judged;
         let theirs = judged.pool.count() - 1;

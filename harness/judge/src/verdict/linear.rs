@@ -1,6 +1,5 @@
 //! Weighted least squares.
 
-/// The differences of values.
 pub(super) fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }

@@ -22,7 +22,6 @@ const EXPLAINED: f64 = 0.8;
 /// A first step that explains less than this part leads nowhere.
 const PROMISING: f64 = 0.2;
 
-/// So many steps are taken at most.
 const STEPS: usize = 6;
 
 /// The small step, relative to the number.
@@ -109,7 +108,6 @@ impl Searched<'_> {
     }
 }
 
-/// The numbers of a scene that are tried.
 fn numbers(whole: &Value) -> Vec<Number> {
     let mut all = Vec::new();
     for (list, inside, fields) in FIELDS {

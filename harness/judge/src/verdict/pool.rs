@@ -25,11 +25,9 @@ pub struct Pool {
 /// Which pictures have the same value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Agreement {
-    /// All.
     All,
     /// All but this one, which all others agree against.
     AllBut(u32),
-    /// Fewer.
     Few,
     /// Some value is no number: it is left out everywhere.
     NotFinite,

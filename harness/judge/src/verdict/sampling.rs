@@ -8,9 +8,7 @@ use super::replicas::Replicas;
 /// A way to sample that is alike in all pixels.
 #[derive(Clone, Debug)]
 pub struct Sampling {
-    /// How samples are spread.
     pub sampler: samplers::Kind,
-    /// How many there are in a pixel.
     pub samples: u32,
 }
 
@@ -30,7 +28,6 @@ impl Sampling {
         grids.into_iter().map(regular).chain((own > 1).then_some(one_set)).collect()
     }
 
-    /// Whether replicas are sampled like this.
     pub fn is_that_of(&self, replicas: &Replicas<'_, '_>) -> bool {
         let has_sampler = match (&replicas.world.image.sampler, &self.sampler) {
             (Some(samplers::Kind::Regular(a)), samplers::Kind::Regular(b)) => a == b,

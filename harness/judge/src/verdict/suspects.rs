@@ -13,14 +13,11 @@ use crate::mistakes::{self, Mistake, Mistaken, Probed};
 
 /// One that may have made a picture.
 pub(super) enum Suspect {
-    /// A known mistake.
     Known(&'static Mistake),
-    /// A change in one place.
     Local(Box<Local>),
 }
 
 impl Suspect {
-    /// As a cause.
     pub fn cause(&self) -> Cause {
         match self {
             Self::Known(mistake) => Cause {

@@ -147,7 +147,6 @@ impl Verdict {
         lines.into_iter().map(|line| line + "\n").collect()
     }
 
-    /// How the decision was found.
     fn rank(&self) -> Option<String> {
         let Self { as_far, replicas, pictures, .. } = self;
         let is_by_rank = self.decided_by.is_none();
@@ -240,7 +239,6 @@ impl Verdict {
         }
     }
 
-    /// What would have been seen.
     fn power(&self, lines: &mut Vec<String>) {
         for (found, title) in [(true, "would have been seen"), (false, "would not have been seen")]
         {

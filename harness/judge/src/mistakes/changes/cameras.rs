@@ -42,7 +42,6 @@ impl Camera for OtherFilm {
     }
 }
 
-/// The scene seen by its camera with another film.
 fn with_film(scene: &Scene, scale: [f64; 2], shift: [f64; 2]) -> Option<Scene> {
     let camera = scene.camera.lens.build(&mut scene.image.plane()).ok()?;
     let mut scene = scene.clone();

@@ -136,7 +136,6 @@ where
     }
 }
 
-/// The light with changed samples.
 fn with_samples(
     placed: &PlacedLight,
     change: impl Fn(&LightContext, &[[f64; 2]], LightSample) -> LightSample + Send + Sync + 'static,

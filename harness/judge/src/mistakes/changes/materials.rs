@@ -74,7 +74,6 @@ impl Material for Changed {
     }
 }
 
-/// Gives transparent materials another response.
 fn with_response(world: &mut World, scene: &Scene, respond: Respond) -> Option<()> {
     let materials = world.materials.iter_mut();
     let glass = materials.filter(|it| is_transparent(&scene.materials[it.index as usize].recipe));
@@ -150,7 +149,6 @@ impl Texture for Truncated {
     }
 }
 
-/// The diffuse colour of a material.
 fn diffuse_color(recipe: &mut Kind) -> Option<&mut Paint> {
     match recipe {
         Kind::Matte(it) => Some(&mut it.cd),
