@@ -77,7 +77,7 @@ fn refracted(term: &ObservedTerm<'_>) -> Option<f64> {
     }
 }
 
-fn is_mirrored(term: &ObservedTerm<'_>) -> bool {
+pub(super) fn is_mirrored(term: &ObservedTerm<'_>) -> bool {
     matches!(term.traced(), Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)))
 }
 

@@ -100,17 +100,17 @@ fn best_scene(
     mistakes: &[&'static Mistake],
 ) -> Option<(&'static str, Vec<&'static Mistake>)> {
     let folder = format!("ch{chapter:02}/");
-    let candidates = gallery::scenes().map(|entry| {
+    let candidates = gallery::scenes().filter_map(|entry| {
         let shown = shown_by(entry.name);
         let shown: Vec<&MistakeInScene> =
             shown.into_iter().filter(|pair| mistakes.contains(&pair.mistake)).collect();
         let pixels: f64 = shown.iter().map(|pair| pair.effect.share).sum();
-        let own = entry.name.starts_with(&folder);
-        let is_right = !shown.is_empty() && !is_wrong_on_purpose(entry.name);
-        (is_right, shown.len(), own, pixels, entry.name, shown)
+        let (is_right, is_own) =
+            (!is_wrong_on_purpose(entry.name), entry.name.starts_with(&folder));
+        let rank = (is_right, shown.len(), is_own);
+        (!shown.is_empty()).then_some((rank, pixels, entry.name, shown))
     });
-    let best =
-        candidates.max_by(|a, b| (a.0, a.1, a.2).cmp(&(b.0, b.1, b.2)).then(a.3.total_cmp(&b.3)));
-    let (_, count, _, _, scene, shown) = best?;
-    (count > 0).then(|| (scene, shown.into_iter().map(|pair| pair.mistake).collect()))
+    let best = candidates.max_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let (_, _, scene, shown) = best?;
+    Some((scene, shown.into_iter().map(|pair| pair.mistake).collect()))
 }

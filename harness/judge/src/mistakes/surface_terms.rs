@@ -7,6 +7,7 @@ use groundtruth::math::{Normal, Ray, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;
 
+use super::glass_terms::is_mirrored;
 use super::{Mistake, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
@@ -35,9 +36,8 @@ pub(super) const ALL: &[Mistake] = &[
         let is_behind = surface.normals.geometry.dot(sample.direction) <= 0.0;
         (is_behind && term.arriving.is_black()).then(|| term.term.weight * sample.radiance)
     }),
-    Mistake::factor("mirror-with-cosine", |term| match term.traced()? {
-        Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_) => term.cosine_of_ray(),
-        _ => None,
+    Mistake::factor("mirror-with-cosine", |term| {
+        term.cosine_of_ray().filter(|_| is_mirrored(term))
     }),
     Mistake::term("mirror-without-two", mirrored_once),
     Mistake::term("mirror-without-kr", |term| match term.traced()? {

@@ -33,7 +33,8 @@ impl AreaMeans {
         let of = |(level, number, name): &(SumKind, usize, String)| {
             let pixels =
                 sets.areas.pixels(evidence.sums.area(evidence.sums.places(*level, *number)[0]));
-            let [before, after] = [&sets.before, &sets.after].map(|set| Areas::means(set, &pixels));
+            let [before, after] =
+                [&sets.before, &sets.after].map(|set| Areas::means(set, &pixels, 0..3));
             let apart = match &*pairs.0 {
                 [] | [_] => difference(&after, &before, confidence),
                 pairs => {

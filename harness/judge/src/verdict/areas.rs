@@ -1,6 +1,7 @@
 //! The areas of a picture over which values are added up: tiles of every side, and objects.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use groundtruth::math::Span;
@@ -161,11 +162,16 @@ impl Areas {
         [x, y, w, h]
     }
 
-    /// For each of these pictures, the mean over some pixels and their channels.
-    pub(crate) fn means(pictures: &[Vec<f32>], pixels: &[usize]) -> Vec<f64> {
+    /// For each of these pictures, the mean over some channels of some pixels.
+    pub(crate) fn means(
+        pictures: &[Vec<f32>],
+        pixels: &[usize],
+        channels: Range<usize>,
+    ) -> Vec<f64> {
+        let count = (channels.len() * pixels.len()) as f64;
         let mean = |picture: &Vec<f32>| {
-            let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..][..3]);
-            values.map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
+            let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..][channels.clone()]);
+            values.map(|value| f64::from(*value)).sum::<f64>() / count
         };
         pictures.iter().map(mean).collect()
     }

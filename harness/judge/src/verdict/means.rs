@@ -100,7 +100,7 @@ impl Means {
             let pixels = areas.pixels(area);
             let mut means = mean((pool, shown), &pixels, name, noise, each);
             if let Some(both) = several {
-                let [theirs, ours] = both.map(|all| Areas::means(all, &pixels));
+                let [theirs, ours] = both.map(|all| Areas::means(all, &pixels, 0..3));
                 let level = means.ours.iter().sum::<f64>() / 3.0;
                 means.half = match difference(&theirs, &ours, each) {
                     Some([_, low, high]) if level != 0.0 => 0.5 * (high - low) / level.abs(),

@@ -188,7 +188,7 @@ impl Evaluation {
                 return None;
             }
             let judged = Self::now(theirs, subject, known);
-            let is_over = judged.is_over(strictness, known.len());
+            let is_over = judged.is_over(strictness);
             if is_over || is_interrupted {
                 let decision = judged.decided(strictness, is_over);
                 return Some(Self { decision, ..judged });
@@ -209,12 +209,12 @@ impl Evaluation {
         Self { pool, ranking, decision: Decision::Undecided, is_fixed, is_coarse }
     }
 
-    fn is_over(&self, strictness: Strictness, replicas: usize) -> bool {
-        let theirs = replicas;
+    fn is_over(&self, strictness: Strictness) -> bool {
+        let theirs = self.pool.count() - 1;
         self.is_fixed
-            || replicas >= strictness.most()
+            || theirs >= strictness.most()
             || self.ranking.as_far_as(theirs) >= AS_FAR
-            || replicas >= ENOUGH && self.ranking.times_as_far(theirs) > FAR_OUT
+            || theirs >= ENOUGH && self.ranking.times_as_far(theirs) > FAR_OUT
     }
 
     fn decided(&self, strictness: Strictness, is_over: bool) -> Decision {

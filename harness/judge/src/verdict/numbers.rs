@@ -5,7 +5,7 @@
 
 use groundtruth::scene::Scene;
 use serde_json::Value;
-use text::digits::short;
+use text::digits::{short, three};
 
 use super::linear::{fitted, less, product};
 use crate::mistakes::local::Local;
@@ -138,10 +138,5 @@ fn collect(value: &Value, pointer: &str, name: &str, fields: &[&str], all: &mut 
 }
 
 fn shown(values: &[f64]) -> String {
-    match values {
-        [value] => short(*value),
-        several => {
-            format!("({})", several.iter().map(|x| short(*x)).collect::<Vec<_>>().join(", "))
-        }
-    }
+    <[f64; 3]>::try_from(values).map_or_else(|_| short(values[0]), three)
 }

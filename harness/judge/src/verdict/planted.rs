@@ -44,10 +44,8 @@ pub fn smallest_gains(pool: &Pool, areas: &Areas, ranking: &Ranking) -> Vec<(usi
         let gain = |index: usize| {
             let pixels = areas.pixels(areas.tile(level, index));
             let gains = (0..3).filter_map(|channel| {
-                let sum: f64 = pixels
-                    .iter()
-                    .map(|pixel| pool.mean_of_others(theirs, 3 * pixel + channel))
-                    .sum();
+                let mean = |pixel: &usize| pool.mean_of_others(theirs, 3 * pixel + channel);
+                let sum = pixels.iter().map(mean).sum::<f64>();
                 let deviation = map.variance(&pixels, channel).sqrt();
                 (sum > 0.0 && deviation > 0.0).then(|| limit * deviation / sum)
             });

@@ -31,11 +31,7 @@ pub fn several(theirs: &[Vec<f32>], ours: &[Vec<f32>], areas: &Areas) -> Vec<Wel
     for area in tiles.chain(objects) {
         let pixels = areas.pixels(area);
         for channel in 0..3 {
-            let mean = |picture: &Vec<f32>| {
-                let values = pixels.iter().map(|pixel| f64::from(picture[3 * pixel + channel]));
-                values.sum::<f64>() / pixels.len() as f64
-            };
-            let [a, b] = [theirs, ours].map(|all| all.iter().map(mean).collect::<Vec<f64>>());
+            let [a, b] = [theirs, ours].map(|all| Areas::means(all, &pixels, channel..channel + 1));
             let all = || a.iter().chain(&b);
             let [least, most] =
                 [all().fold(f64::MAX, |a, b| a.min(*b)), all().fold(f64::MIN, |a, b| a.max(*b))];

@@ -106,9 +106,17 @@ impl Case<'_> {
             }
         }
         found.suspects.retain(|(_, values)| values.len() == found.seeds.len());
-        let places = self.changes_in_one_place(places);
-        let places = self.suspected(places, &found);
-        found.suspects.extend(places);
+        let mut changed = local::without_shadows(self.scene);
+        for place in places {
+            if let Some(material) = &place.material {
+                changed.extend(local::in_material(self.scene, material));
+            }
+            if let [object] = &*place.objects {
+                changed.extend(local::without(self.scene, object));
+            }
+        }
+        let changed = self.suspected(changed, &found);
+        found.suspects.extend(changed);
         found
     }
 
@@ -137,18 +145,5 @@ impl Case<'_> {
         let world = World::build_seeded(&scene, self.folder, seed).ok()?;
         let of = |at: &[u32; 2]| (!(self.is_over)()).then(|| render::pixel(&world, *at));
         lineup.pixels.par_iter().map(of).collect()
-    }
-
-    fn changes_in_one_place(&self, places: &[Place]) -> Vec<Local> {
-        let mut all = local::without_shadows(self.scene);
-        for place in places {
-            if let Some(material) = &place.material {
-                all.extend(local::in_material(self.scene, material));
-            }
-            if let [object] = &*place.objects {
-                all.extend(local::without(self.scene, object));
-            }
-        }
-        all
     }
 }

@@ -11,7 +11,9 @@ use groundtruth::scene::Scene;
 use crate::mistakes::Mistake;
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene("pixel-corner", pixel_corner),
+    Mistake::scene("pixel-corner", |scene, _| {
+        with_film(scene, [1.0; 2], [-0.5 * scene.image.pixel_size; 2])
+    }),
     Mistake::scene("sub-cell-corner", sub_cell_corner),
     Mistake::scene("no-aspect", no_aspect),
 ];
@@ -47,10 +49,6 @@ fn with_film(scene: &Scene, scale: [f64; 2], shift: [f64; 2]) -> Option<Scene> {
     let mut scene = scene.clone();
     scene.camera.lens = Kind::Custom(Custom(Arc::new(OtherFilm { camera, scale, shift })));
     Some(scene)
-}
-
-fn pixel_corner(scene: &Scene, _: &Path) -> Option<Scene> {
-    with_film(scene, [1.0; 2], [-0.5 * scene.image.pixel_size; 2])
 }
 
 /// Of a single sample the cell is the pixel, which is another mistake.

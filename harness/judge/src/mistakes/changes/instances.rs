@@ -10,8 +10,9 @@ use groundtruth::shapes::{
     Candidate, Context, Instance, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within,
 };
 
-use super::each;
+use super::changed;
 use crate::mistakes::Mistake;
+use crate::mistakes::places::any;
 
 pub(super) const ALL: &[Mistake] = &[Mistake::scene("normal-by-matrix", changed_instances)];
 
@@ -69,9 +70,11 @@ fn changed_shape(instance: &Instance, context: &mut Context) -> Option<Kind> {
 /// Instances whose parts name materials of their own, and those within compounds, stay as they are.
 fn changed_instances(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut context = Context::new(Resources::new(folder), scene.accel);
-    each(scene, super::objects, |object| {
-        let Kind::Instance(instance) = &object.shape else { return None };
-        object.shape = changed_shape(instance, &mut context)?;
-        Some(())
+    changed(scene, |scene| {
+        any(scene.objects.iter_mut().filter_map(|object| {
+            let Kind::Instance(instance) = &object.shape else { return None };
+            object.shape = changed_shape(instance, &mut context)?;
+            Some(())
+        }))
     })
 }

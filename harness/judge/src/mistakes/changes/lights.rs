@@ -16,7 +16,7 @@ use groundtruth::scene::{Intersect, Scene};
 use groundtruth::shapes::{self, SampledSurface, Sampling};
 use groundtruth::world::{DEFAULT_SEED, PlacedLight, World};
 
-use super::each;
+use super::changed;
 use super::materials::is_transparent;
 use crate::mistakes::Mistake;
 use crate::mistakes::places::any;
@@ -61,10 +61,11 @@ fn with_least_distance(scene: &Scene, epsilon: f64) -> Option<Scene> {
         return None;
     }
     let is_near = epsilon == *LENGTHS.start();
-    each(scene, super::objects, |object| {
-        (is_near || is_plain(&object.shape)).then(|| {
+    changed(scene, |scene| {
+        let objects = scene.objects.iter_mut();
+        any(objects.filter(|it| is_near || is_plain(&it.shape)).map(|object| {
             (object.intersect, object.epsilon) = (Some(Intersect::Textbook), Some(epsilon));
-        })
+        }))
     })
 }
 

@@ -13,7 +13,7 @@ use groundtruth::scene::Scene;
 use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
 use groundtruth::world::World;
 
-use super::each;
+use super::changed;
 use crate::mistakes::Mistake;
 use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
 use crate::mistakes::places::any;
@@ -163,10 +163,8 @@ fn diffuse_color(recipe: &mut Kind) -> Option<&mut Paint> {
 
 fn checker_truncated(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut resources = Resources::new(folder);
-    each(
-        scene,
-        |scene| &mut scene.materials,
-        |material| {
+    changed(scene, |scene| {
+        any(scene.materials.iter_mut().filter_map(|material| {
             let paint = diffuse_color(&mut material.recipe)?;
             let Paint::Textured(texture) = paint else { return None };
             let textures::Kind::Checker3d(data) = &**texture else { return None };
@@ -174,6 +172,6 @@ fn checker_truncated(scene: &Scene, folder: &Path) -> Option<Scene> {
             let truncated = Truncated { checker, size: data.size };
             **texture = textures::Kind::Custom(Custom(Arc::new(truncated)));
             Some(())
-        },
-    )
+        }))
+    })
 }

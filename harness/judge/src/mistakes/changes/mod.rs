@@ -13,24 +13,15 @@ mod instances;
 mod lights;
 mod materials;
 
-use groundtruth::scene::{Object, Scene};
+use groundtruth::scene::Scene;
 
 use super::Mistake;
-use super::places::any;
 
 pub(super) const ALL: [&[Mistake]; 4] = [cameras::ALL, instances::ALL, lights::ALL, materials::ALL];
 
-/// A copy of which one of these items, or more, are changed.
-fn each<T>(
-    scene: &Scene,
-    items: fn(&mut Scene) -> &mut Vec<T>,
-    change: impl FnMut(&mut T) -> Option<()>,
-) -> Option<Scene> {
+/// A copy that is changed.
+fn changed(scene: &Scene, change: impl FnOnce(&mut Scene) -> Option<()>) -> Option<Scene> {
     let mut copy = scene.clone();
-    any(items(&mut copy).iter_mut().filter_map(change))?;
+    change(&mut copy)?;
     Some(copy)
-}
-
-fn objects(scene: &mut Scene) -> &mut Vec<Object> {
-    &mut scene.objects
 }
