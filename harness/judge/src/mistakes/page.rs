@@ -4,7 +4,7 @@ use text::document::*;
 
 use super::local::of_one_material;
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
-use super::{Cover, How, Mistake, all, fewest_scenes, forms, scenes_that_show};
+use super::{Cover, Mistake, all, fewest_scenes, forms, scenes_that_show};
 
 /// The page, as Markdown.
 pub fn page() -> String {
@@ -34,10 +34,7 @@ fn markdown<R>(table: Table<R>) -> String {
 }
 
 fn mistakes<'a>(all: &'a [&'static Mistake]) -> Table<&'a &'static Mistake> {
-    let how = |mistake: &Mistake| match mistake.how {
-        How::Term(_) | How::Factor(_) | How::Ray(_) => "terms",
-        _ => "scene",
-    };
+    let how = |mistake: &Mistake| if mistake.is_reweighed() { "terms" } else { "scene" };
     let best = |mistake: &Mistake| {
         let best = scenes_that_show(mistake).into_iter().take(3);
         let words = best.map(|it| format!("{} ({:.0} %)", it.scene, 100.0 * it.effect.share));

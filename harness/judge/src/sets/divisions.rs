@@ -3,7 +3,7 @@
 use groundtruth::math::{Pcg32, power_of_two};
 use rayon::prelude::*;
 
-use super::{AreaSums, Design, Watch};
+use super::{AreaSums, Watch};
 
 /// The ways in which chance could have divided pictures, as weights of the pictures; the first is the one that was.
 pub struct Divisions {
@@ -99,18 +99,14 @@ impl Rank {
     /// chance divided the pictures, each is as likely to have the largest score, however the noise is distributed
     /// (Fisher, *The Design of Experiments*, 1935; Westfall & Young, *Resampling-Based Multiple Testing*, 1993).
     /// Of a comparison that is interrupted it has no meaning.
-    pub fn of(
-        sums: &AreaSums<'_>,
-        design: Design,
-        (divisions, watch): (&Divisions, Watch<'_>),
-        level: f64,
-    ) -> Self {
+    pub fn of(sums: &AreaSums<'_>, divisions: &Divisions, watch: Watch<'_>, level: f64) -> Self {
+        let design = sums.design;
         let score = |weights: &Vec<f64>| -> f64 {
             if watch.is_interrupted() {
                 return f64::MIN;
             }
             (watch.tried)();
-            let largest = sums.largest(weights, design).into_iter().zip(&sums.levels);
+            let largest = sums.largest(weights).into_iter().zip(&sums.levels);
             largest.map(|(t, (_, range))| design.score(t, range.len())).fold(f64::MIN, f64::max)
         };
         let scores: Vec<f64> = divisions.weights.par_iter().map(score).collect();

@@ -34,7 +34,6 @@ pub struct SetEvidence<'a> {
     /// How many times a change of all pictures before is in each.
     pub of_change: Vec<f64>,
     sizes: [usize; 2],
-    design: Design,
     divisions: Option<Divisions>,
     /// How many times as large the variance of sums is as of independent pixels: of one picture a side.
     correlation: f64,
@@ -111,18 +110,7 @@ impl<'a> SetEvidence<'a> {
             }
         };
         let sums = AreaSums::of(values, [&sets.mean_of_all(), &variance], &sets.areas, design);
-        Self {
-            sums,
-            method,
-            weights,
-            of_change,
-            sizes,
-            design,
-            divisions,
-            correlation: 1.0,
-            level,
-            watch,
-        }
+        Self { sums, method, weights, of_change, sizes, divisions, correlation: 1.0, level, watch }
     }
 
     /// Of pairs with equal seeds, whose differences have little noise.
@@ -176,7 +164,7 @@ impl<'a> SetEvidence<'a> {
         let Some((SumKind::Tiles(level), range)) = self.sums.levels.first() else { return z };
         let tiles = range.len() / 3;
         for index in range.clone() {
-            let t = self.sums.t(index, differences[index], self.design);
+            let t = self.sums.t(index, differences[index]);
             for pixel in areas.pixels(areas.tile(*level, (index - range.start) % tiles)) {
                 if t.abs() > z[pixel].abs() {
                     z[pixel] = t;
@@ -194,13 +182,13 @@ impl<'a> SetEvidence<'a> {
     }
 
     fn by_divisions(&self, sums: &AreaSums<'_>, divisions: &Divisions) -> Found {
-        let rank = Rank::of(sums, self.design, (divisions, self.watch), self.level);
+        let rank = Rank::of(sums, divisions, self.watch, self.level);
         let mut found = Vec::new();
         if rank.probability <= self.level {
             let differences = sums.differences(&self.weights);
             for ((_, range), needed) in sums.levels.iter().zip(&rank.needed) {
                 for index in range.clone() {
-                    let t = sums.t(index, differences[index], self.design).abs();
+                    let t = sums.t(index, differences[index]).abs();
                     if t >= *needed {
                         found.push((index, sums.beyond(index, differences[index], needed / t)));
                     }
@@ -219,17 +207,16 @@ impl<'a> SetEvidence<'a> {
         for (_, range) in &levels {
             let count = levels.len() * range.len();
             let [possible, needed] =
-                [1.0, self.level].map(|level| self.design.t_of_score(-ln(level), count));
+                [1.0, self.level].map(|level| sums.design.t_of_score(-ln(level), count));
             for index in range.clone() {
-                let t = sums.t(index, differences[index], self.design).abs();
-                let t = t / self.correlation.sqrt();
+                let t = sums.t(index, differences[index]).abs() / self.correlation.sqrt();
                 if t < possible {
                     continue;
                 }
                 let values = sums.in_pictures(index);
                 let (before, after) = values.split_at(self.sizes[0]);
                 let welch = if self.is_changed() { two_samples(before, after) } else { 0.0 };
-                let probability = count as f64 * self.design.probability(t).max(welch);
+                let probability = count as f64 * sums.design.probability(t).max(welch);
                 found.probability = found.probability.min(probability);
                 if probability <= self.level {
                     found.sums.push((index, sums.beyond(index, differences[index], needed / t)));
@@ -265,7 +252,7 @@ fn most(level: f64) -> usize {
 /// change of the whole picture hardly alters.
 fn correlation(sums: &AreaSums<'_>) -> f64 {
     // in standard deviations of its finest details
-    let z = |(index, difference)| sums.t(index, difference, Design::differences(1));
+    let z = |(index, difference)| sums.t(index, difference);
     let z: Vec<f64> = sums.differences(&[1.0]).into_iter().enumerate().map(z).collect();
     let mut factor = 1.0_f64;
     for (level, range) in &sums.levels {

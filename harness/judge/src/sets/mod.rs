@@ -235,10 +235,8 @@ fn areas(sets: &Sets, evidence: &SetEvidence<'_>, mut found: Found) -> Vec<AreaD
     let all = found.sums.iter().map(|(index, _)| (evidence.sums.area(*index), *index));
     let of = |(index, pixels): (usize, Vec<usize>)| {
         let (kind, channel, _) = evidence.sums.place(index);
-        let channels = match kind {
-            SumKind::Tiles(_) => channel..channel + 1,
-            _ => 0..3,
-        };
+        let is_tile = matches!(kind, SumKind::Tiles(_));
+        let channels = if is_tile { channel..channel + 1 } else { 0..3 };
         let mean = |values: &[f64]| {
             let value = |pixel: &usize| values[3 * pixel..][channels.clone()].iter().sum::<f64>();
             pixels.iter().map(value).sum::<f64>() / (channels.len() * pixels.len()) as f64

@@ -107,6 +107,8 @@ pub struct AreaSums<'a> {
     pub expected: Vec<f64>,
     /// For each sum, that of the mean picture.
     pub mean: Vec<f64>,
+    /// How pictures are divided.
+    pub design: Design,
     layout: Layout<'a>,
     /// For each picture, its sums.
     pictures: Vec<Vec<f64>>,
@@ -135,7 +137,7 @@ impl<'a> AreaSums<'a> {
         let sums = |values: Vec<f64>| layout.sums(&values, &layout.weights);
         let (pictures, squares) = (pictures.map(sums).collect(), vec![0.0; mean.len()]);
         let levels = layout.levels();
-        Self { levels, expected, mean, layout, pictures, squares }.with_squares()
+        Self { levels, expected, mean, design, layout, pictures, squares }.with_squares()
     }
 
     fn with_squares(mut self) -> Self {
@@ -171,13 +173,13 @@ impl<'a> AreaSums<'a> {
     /// hardly tell, and half that expected from pixels, which many tell and in which neighbours are taken for independent
     /// (a variance moderated by a prior of as many degrees of freedom: Smyth, "Linear Models and Empirical Bayes Methods
     /// for Assessing Differential Expression in Microarray Experiments", 2004).
-    pub fn t(&self, index: usize, difference: f64, design: Design) -> f64 {
-        let square = design.between * difference * difference;
+    pub fn t(&self, index: usize, difference: f64) -> f64 {
+        let square = self.design.between * difference * difference;
         if square == 0.0 {
             return 0.0;
         }
         let left = (self.squares[index] - square).max(0.0);
-        let variance = match design.freedom {
+        let variance = match self.design.freedom {
             // one difference says nothing of its variance
             0.0 => self.expected[index],
             freedom => 0.5 * (left / freedom + self.expected[index]),
@@ -188,11 +190,10 @@ impl<'a> AreaSums<'a> {
     }
 
     /// The largest |t| of each level.
-    pub fn largest(&self, weights: &[f64], design: Design) -> Vec<f64> {
+    pub fn largest(&self, weights: &[f64]) -> Vec<f64> {
         let differences = self.differences(weights);
         let largest = |(_, range): &(SumKind, Range<usize>)| {
-            let t = range.clone().map(|i| self.t(i, differences[i], design).abs());
-            t.fold(0.0, f64::max)
+            range.clone().map(|i| self.t(i, differences[i]).abs()).fold(0.0, f64::max)
         };
         self.levels.iter().map(largest).collect()
     }
@@ -223,9 +224,7 @@ impl<'a> AreaSums<'a> {
         let (areas, channel) = (self.layout.areas, ["red", "green", "blue"][channel]);
         match (level, self.area(index)) {
             (SumKind::Regions, _) => areas.objects[number].0.to_string(),
-            (SumKind::Patterns, _) => {
-                format!("the {} of the whole picture", PATTERNS[number].0)
-            }
+            (SumKind::Patterns, _) => format!("the {} of the whole picture", PATTERNS[number].0),
             (SumKind::Tiles(level), _) if level + 1 == areas.levels() => {
                 format!("the whole picture ({channel})")
             }

@@ -286,11 +286,8 @@ impl<'a> Reading<'a> {
 
     fn add(&mut self, lineup: &Lineup, first: usize) {
         let of = |(_, values): &(Suspect, Vec<Vec<Rgb>>)| {
-            values
-                .iter()
-                .zip(&lineup.ours)
-                .map(|(values, ours)| self.change(values, ours))
-                .collect()
+            let both = values.iter().zip(&lineup.ours);
+            both.map(|(values, ours)| self.change(values, ours)).collect()
         };
         let more: Vec<Vec<Vec<f64>>> = lineup.suspects[first..].par_iter().map(of).collect();
         self.changes.extend(more);

@@ -75,13 +75,11 @@ impl<'a> Evidence<'a> {
 
     /// Sums over tiles, of each channel, of values for each pixel and channel.
     pub fn tiles(&self, value: impl Fn(usize) -> f64) -> Vec<f64> {
-        let sum = |block: &Vec<usize>, channel: usize| {
-            block.iter().map(|pixel| value(3 * pixel + channel)).sum::<f64>()
+        let of_channel = |channel: usize| {
+            let value = |pixel: &usize| value(3 * pixel + channel);
+            self.blocks.iter().map(|block| block.iter().map(value).sum()).collect::<Vec<f64>>()
         };
-        (0..3)
-            .flat_map(|channel| self.blocks.iter().map(move |block| (block, channel)))
-            .map(|(block, channel)| sum(block, channel))
-            .collect()
+        [0, 1, 2].map(of_channel).concat()
     }
 
     /// The picture less the mean of ours, over tiles.

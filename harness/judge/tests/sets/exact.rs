@@ -67,7 +67,7 @@ fn the_probability_is_the_share_of_divisions_as_far_out() {
         let (mean, variance) = (vec![0.0; 3 * pixels], vec![1.3; 3 * pixels]);
         let sums = AreaSums::of(values.iter().cloned(), [&mean, &variance], &areas, design);
         let watch = Watch { tried: &|| (), interrupted: &never };
-        let rank = Rank::of(&sums, design, (&divisions, watch), 0.05);
+        let rank = Rank::of(&sums, &divisions, watch, 0.05);
 
         let (between, freedom) = if is_pairs { (6.0, 5.0) } else { (12.0 / 7.0, 5.0) };
         let student = StudentsT::new(0.0, 1.0, 2.0 * freedom).expect("it is one");
