@@ -33,13 +33,12 @@ const QUESTIONS: [&str; 3] = [
 /// The sheet: a page of HTML that needs nothing beside it.
 pub fn sheet(chapter: u32, level: Difficulty, tasks: &[Task]) -> String {
     let title = format!("Chapter {chapter}: what is wrong?");
-    let line = || group("line");
     let section = |(number, task): (usize, &Task)| {
         element("section")
             .with(heading(2, number.to_string()))
             .with(paragraph(&task.scene.about))
             .with(pair(task, ["right", "wrong"]))
-            .with_all(QUESTIONS.into_iter().flat_map(|question| [paragraph(question), line()]))
+            .with_all(QUESTIONS.into_iter().flat_map(|it| [paragraph(it), group("line")]))
     };
     let mut body = several()
         .with(heading(1, &title))

@@ -72,8 +72,7 @@ pub fn replicas(
     (scene, folder, seed): (&Scene, &Path, u64),
 ) -> Result<Probed, Invalid> {
     let [width, height] = World::build_seeded(scene, folder, seed)?.picture_size();
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-    let pixels: Vec<[u32; 2]> = pixels.collect();
+    let pixels: Vec<[u32; 2]> = (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect();
     let all = probed(mistakes, (scene, folder, seed), &pixels, &|| false)?;
     Ok(all.expect("it is never time to stop"))
 }

@@ -23,15 +23,15 @@ pub const HEADING: &str = "scene,mistake,share,largest\n";
 pub const TABLE: &str = include_str!("shown.csv");
 
 static PAIRS: LazyLock<Vec<MistakeInScene>> = LazyLock::new(|| {
+    let parsed = |line: &'static str| {
+        let [scene, mistake, share, largest] =
+            line.split(',').collect::<Vec<_>>().try_into().ok()?;
+        let effect = Effect { share: share.parse().ok()?, largest: largest.parse().ok()? };
+        Some(MistakeInScene { scene, mistake: find(mistake)?, effect })
+    };
     let lines = TABLE.lines().skip(1);
     lines.map(|line| parsed(line).unwrap_or_else(|| panic!("shown.csv: {line}"))).collect()
 });
-
-fn parsed(line: &'static str) -> Option<MistakeInScene> {
-    let [scene, mistake, share, largest] = line.split(',').collect::<Vec<_>>().try_into().ok()?;
-    let effect = Effect { share: share.parse().ok()?, largest: largest.parse().ok()? };
-    Some(MistakeInScene { scene, mistake: find(mistake)?, effect })
-}
 
 /// All pairs of a scene and a mistake that it shows.
 pub fn pairs() -> &'static [MistakeInScene] {

@@ -53,29 +53,18 @@ impl Judge<'_> {
         Self { case: Case { transfer, ..self.case }, ..self }
     }
 
-    /// Tells a preliminary verdict, held against the first replicas, and returns the noise of the picture relative to
-    /// theirs; `None` if the user interrupts.
-    pub fn preliminary(&self, theirs: &Picture, replicas: &Replicas<'_, '_>) -> Option<f64> {
+    /// Tells a preliminary verdict, held against the first replicas. If the noise of the picture is unlike theirs, ours is
+    /// made of independent samples if that is nearer to it; whether it is.
+    pub fn match_noise(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
         let count = replicas.films.len();
         if count < self.strictness.first {
-            return None;
+            return false;
         }
         let judged = self.likeliest(theirs, &replicas.films, Evaluation::now);
         if !judged.is_fixed {
             (self.so_far)(Progress::Preliminary(&judged));
         }
-        Some(judged.ranking.noise[count])
-    }
-
-    /// If their noise, relative to ours, is unlike ours, ours is made of independent samples if that is nearer to theirs;
-    /// whether it is.
-    pub fn match_noise(
-        &self,
-        theirs: &Picture,
-        replicas: &mut Replicas<'_, '_>,
-        before: f64,
-    ) -> bool {
-        let count = replicas.films.len();
+        let before = judged.ranking.noise[count];
         if replicas.world.samples_per_pixel() == 1 || is_alike(before) {
             return false;
         }

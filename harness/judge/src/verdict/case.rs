@@ -90,8 +90,7 @@ impl<'a> Case<'a> {
 impl Judge<'_> {
     fn verdict_on_one(&self, theirs: &Picture, mut replicas: Replicas<'_, '_>) -> Option<Verdict> {
         replicas.fill(self.strictness.first);
-        let noise = self.preliminary(theirs, &replicas);
-        let independent = noise.is_some_and(|noise| self.match_noise(theirs, &mut replicas, noise));
+        let independent = self.match_noise(theirs, &mut replicas);
         let mut finding = self.judged(theirs, &mut replicas)?;
         let stored = finding.judged.pool.stored;
         let mut more = More::default();

@@ -53,7 +53,7 @@ pub use judgeable::{refusal, refusal_of_alpha, refusal_of_seed};
 pub use map::Map;
 pub use means::{Answer, Means, Relative};
 pub use negative::Negative;
-pub use page::{FARTHEST, STYLE, map_film, map_with_legend, page};
+pub use page::{STYLE, map_film, map_with_legend, page};
 pub use pictures_shown::ShownPictures;
 pub use place::Place;
 pub use planted::{PlantedDefect, planted, smallest_gains};

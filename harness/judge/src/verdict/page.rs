@@ -17,7 +17,7 @@ pub const STYLE: &str = "\
 ";
 
 /// Differences of so many standard deviations are black or white in the map.
-pub const FARTHEST: f64 = 6.0;
+const FARTHEST: f64 = 6.0;
 
 /// The page of a verdict on a picture with this name, of which this is told.
 pub fn page(verdict: &Verdict, name: &str, told: &Told) -> String {

@@ -45,18 +45,9 @@ pub(super) fn readings(
     films: &[Film],
     areas: &Areas,
 ) -> Vec<Stored> {
-    let mut transfers: Vec<Option<Transfer>> = Vec::new();
-    for transfer in candidates.iter().map(|it| it.transfer()) {
-        if !transfers.contains(&transfer) && transfer != Some(Transfer::Gamma(RARE)) {
-            transfers.push(transfer);
-        }
-    }
-    let of = |transfer: &Option<Transfer>| {
-        let its: Vec<Stored> =
-            candidates.iter().copied().filter(|it| it.transfer() == *transfer).collect();
-        plausible(&its, theirs, films)[0]
-    };
-    let all: Vec<Stored> = transfers.iter().map(of).collect();
+    let of_transfers = candidates.chunk_by(|a, b| a.transfer() == b.transfer());
+    let usual = of_transfers.filter(|its| its[0].transfer() != Some(Transfer::Gamma(RARE)));
+    let all: Vec<Stored> = usual.map(|its| plausible(its, theirs, films)[0]).collect();
     let Some((ours, theirs)) = background(theirs, &films[0], areas) else { return all };
     let is_it = |it: &&Stored| {
         let integers = it.integers(ours);

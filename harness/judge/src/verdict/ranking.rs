@@ -71,8 +71,7 @@ impl Ranking {
 
     /// The same; `noise` is that of the pool.
     pub(super) fn with_noise(pool: &Pool, areas: &Areas, from: usize, noise: Vec<f64>) -> Self {
-        let mut levels: Vec<DifferenceKind> =
-            (from..areas.levels()).map(DifferenceKind::Tiles).collect();
+        let mut levels: Vec<_> = (from..areas.levels()).map(DifferenceKind::Tiles).collect();
         let outliers =
             if from == 0 { DifferenceKind::Outliers } else { DifferenceKind::InnerOutliers };
         levels.extend([DifferenceKind::Objects, DifferenceKind::Structure, outliers]);
@@ -111,11 +110,8 @@ impl Ranking {
         let mut found: Vec<(f64, DifferingArea)> = Vec::new();
         for (at, sums) in map.sums(areas, &self.levels).iter().enumerate() {
             let limit = self.largest_of_others(picture, at);
-            for difference in sums.differences(areas) {
-                if difference.z.abs() > limit {
-                    found.push((difference.z.abs() / limit, difference));
-                }
-            }
+            let farther = sums.differences(areas).filter(|it| it.z.abs() > limit);
+            found.extend(farther.map(|it| (it.z.abs() / limit, it)));
         }
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         found.into_iter().map(|(_, difference)| difference).collect()
@@ -170,11 +166,9 @@ fn scores(largest: &[Vec<f64>], levels: &[DifferenceKind], of: &[usize]) -> Vec<
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
         let deviation = (squares / (values.len() as f64 - 1.0)).sqrt();
-        let deviation = match level {
-            // twice the root of a rare event's count has the standard deviation 1
-            DifferenceKind::Outliers | DifferenceKind::InnerOutliers => deviation.max(1.0),
-            _ => deviation,
-        };
+        // twice the root of a rare event's count has the standard deviation 1
+        let is_rare = matches!(level, DifferenceKind::Outliers | DifferenceKind::InnerOutliers);
+        let deviation = if is_rare { deviation.max(1.0) } else { deviation };
         for (score, largest) in scores.iter_mut().zip(largest) {
             let apart = largest[at] - median;
             *score = score.max(if apart != 0.0 { apart / deviation } else { 0.0 });

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use groundtruth::film::{Film, OutOfGamut, Tone};
+use groundtruth::math::power_of_two;
 use groundtruth::rgb::Rgb;
 
 use super::quantiser::Quantiser;
@@ -261,15 +262,10 @@ fn lacks_largest(picture: &Picture, step: f64) -> bool {
 
 /// The value of the last bit of the largest channel, for a shared exponent.
 fn unit_of(values: [f64; 3]) -> f64 {
-    let largest = values.into_iter().fold(f64::MIN_POSITIVE, f64::max);
-    let mut unit = 1.0 / 256.0;
-    while largest >= 256.0 * unit {
-        unit *= 2.0;
-    }
-    while largest < 128.0 * unit {
-        unit *= 0.5;
-    }
-    unit
+    // of black, small enough
+    let largest = values.into_iter().fold(power_of_two(-1000), f64::max);
+    let exponent = (largest.to_bits() >> 52) as i32 - 1023;
+    power_of_two(exponent - 7)
 }
 
 /// The nearest number with so many significant bits, halves away from 0.

@@ -134,16 +134,14 @@ impl DifferingRegion {
         map: &Map,
         (difference, shown): (DifferingArea, &[f32]),
     ) -> Self {
-        let pixels = areas.pixels(difference.area);
-        let z = map.pixels();
-        let worst = pixels.iter().max_by(|a, b| z[**a].abs().total_cmp(&z[**b].abs()));
+        let (pixels, z) = (areas.pixels(difference.area), map.pixels());
         let name = match difference.area {
             Area::Object(object) => areas.objects[object].0.to_string(),
             Area::Structure(object) => format!("the fine structure of {}", areas.objects[object].0),
             Area::Tile { .. } => shown_by(areas, &pixels),
         };
-        let worst = *worst.expect("an area has pixels");
-        Self { z: Some(difference.z), ..Self::new((pool, areas), &pixels, name, worst, shown) }
+        let apart = |pixel: usize| z[pixel].abs();
+        Self { z: Some(difference.z), ..Self::new((pool, areas), &pixels, name, shown, apart) }
     }
 
     /// Pixels in which all our pictures agree against it; `shown` is the picture as it is in the file.
@@ -154,19 +152,19 @@ impl DifferingRegion {
                 .map(|at| f64::from(pool.picture(theirs)[at]) - pool.mean_of_others(theirs, at));
             values.map(f64::abs).fold(0.0, f64::max)
         };
-        let worst = pixels.iter().max_by(|a, b| apart(**a).total_cmp(&apart(**b)));
-        let worst = *worst.expect("there are pixels");
         let name = format!("{} of {}", count(pixels.len(), "pixel"), shown_by(areas, pixels));
-        Self::new((pool, areas), pixels, name, worst, shown)
+        Self::new((pool, areas), pixels, name, shown, apart)
     }
 
     fn new(
         (pool, areas): (&Pool, &Areas),
         pixels: &[usize],
         name: String,
-        worst: usize,
         shown: &[f32],
+        apart: impl Fn(usize) -> f64,
     ) -> Self {
+        let worst = pixels.iter().max_by(|a, b| apart(**a).total_cmp(&apart(**b)));
+        let worst = *worst.expect("there are pixels");
         let (theirs, width, count) = (pool.count() - 1, pool.size[0], pixels.len() as f64);
         let mean = |value: &dyn Fn(usize) -> f64, channel: usize| {
             pixels.iter().map(|pixel| value(3 * pixel + channel)).sum::<f64>() / count
