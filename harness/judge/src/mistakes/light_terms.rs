@@ -6,7 +6,7 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, TermSource};
 
-use super::{Mistake, ObservedRay, ObservedTerm};
+use super::{Mistake, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::ray("last-sample-left-out", |ray| {
@@ -18,7 +18,10 @@ pub(super) const ALL: &[Mistake] = &[
         is_ambient(term).then(|| lights.count() as f64)
     }),
     Mistake::factor("ambient-over-pi", |term| is_ambient(term).then_some(1.0 / PI)),
-    Mistake::ray("sample-max-to-one", sample_max_to_one),
+    Mistake::ray("sample-max-to-one", |ray| {
+        let (arriving, is_whole) = (ray.arriving(), ray.ray.kind == RayKind::Camera);
+        if is_whole && arriving.max() > 1.0 { arriving / arriving.max() } else { arriving }
+    }),
     Mistake::factor("lamps-unseen", |term| {
         (is_emission(term) && term.ray.kind == RayKind::Camera).then_some(0.0)
     }),
@@ -54,13 +57,4 @@ fn is_emission(term: &ObservedTerm<'_>) -> bool {
 
 fn is_ambient(term: &ObservedTerm<'_>) -> bool {
     matches!(term.term.source, TermSource::Ambient { .. })
-}
-
-fn sample_max_to_one(ray: &ObservedRay<'_>) -> Rgb {
-    let arriving = ray.arriving();
-    let largest = arriving.max();
-    match ray.ray.kind {
-        RayKind::Camera if largest > 1.0 => arriving / largest,
-        _ => arriving,
-    }
 }

@@ -99,24 +99,18 @@ impl<'a> Reweighing<'a> {
 /// Factors of a value: the first gives way, and the second only where it is 0 and the value is not.
 fn factors(value: Rgb, first: Rgb, second: Rgb) -> (Rgb, Rgb) {
     let [value, first, second] = [value, first, second].map(Rgb::to_array);
-    let of = |i: usize| match (value[i] == 0.0, second[i] == 0.0) {
+    let both = [0, 1, 2].map(|i| match (value[i] == 0.0, second[i] == 0.0) {
         (true, true) => (first[i], 0.0),
         (false, true) => (1.0, value[i]),
         (_, false) => (value[i] / second[i], second[i]),
-    };
-    let [r, g, b] = [of(0), of(1), of(2)];
-    (Rgb::new(r.0, g.0, b.0), Rgb::new(r.1, g.1, b.1))
+    });
+    (both.map(|it| it.0).into(), both.map(|it| it.1).into())
 }
 
 /// Whether the light of a term arrives along the ray before it.
 fn is_of_child(source: &TermSource) -> bool {
-    match source {
-        TermSource::Traced { .. } => true,
-        TermSource::Direct { traced, .. } | TermSource::Ambient { traced, .. } => *traced,
-        TermSource::Background { .. } | TermSource::Emission { .. } | TermSource::Light { .. } => {
-            false
-        }
-    }
+    use TermSource::{Ambient, Direct, Traced};
+    matches!(source, Traced { .. } | Direct { traced: true, .. } | Ambient { traced: true, .. })
 }
 
 impl Recorder for Reweighing<'_> {

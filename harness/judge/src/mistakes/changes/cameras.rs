@@ -60,8 +60,5 @@ fn sub_cell_corner(scene: &Scene, _: &Path) -> Option<Scene> {
 
 fn no_aspect(scene: &Scene, _: &Path) -> Option<Scene> {
     let [width, height] = [scene.image.width, scene.image.height].map(f64::from);
-    if width == height {
-        return None;
-    }
-    with_film(scene, [1.0, width / height], [0.0; 2])
+    (width != height).then(|| with_film(scene, [1.0, width / height], [0.0; 2]))?
 }

@@ -206,16 +206,14 @@ fn occluder_uniform(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
 fn area(surface: &dyn SampledSurface) -> Option<f64> {
     /// Farther away than any lamp is large, in directions of which one sees a given point of it.
     const FAR: f64 = 1e6;
-    let from =
-        [Vector::X, Vector::Y, Vector::Z].into_iter().flat_map(|axis| [FAR * axis, -FAR * axis]);
-    from.map(|vector| Point::ORIGIN + vector + 0.5 * FAR * Vector::new(0.3, 0.2, 0.1)).find_map(
-        |from| {
-            let (at, density) = surface.sample(from, [0.3, 0.6])?;
-            let way = from - at.point;
-            let cosine = at.normal.dot(way.unit()?).abs();
-            (cosine > 0.1).then(|| way.length_squared() / (cosine * density))
-        },
-    )
+    let axes = [Vector::X, Vector::Y, Vector::Z].into_iter();
+    axes.flat_map(|axis| [FAR * axis, -FAR * axis]).find_map(|vector| {
+        let from = Point::ORIGIN + vector + 0.5 * FAR * Vector::new(0.3, 0.2, 0.1);
+        let (at, density) = surface.sample(from, [0.3, 0.6])?;
+        let way = from - at.point;
+        let cosine = at.normal.dot(way.unit()?).abs();
+        (cosine > 0.1).then(|| way.length_squared() / (cosine * density))
+    })
 }
 
 fn no_lamp_area(world: &mut World, scene: &Scene, folder: &Path) -> Option<()> {
