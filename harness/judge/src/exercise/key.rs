@@ -67,8 +67,7 @@ fn explained(task: &Task, pixel: [u32; 2]) -> Result<[String; 2], Box<dyn Error>
         let [a, b] = [a.radiance.to_array(), b.radiance.to_array()];
         a.into_iter().zip(b).map(|(a, b)| (a - b).abs()).sum::<f64>()
     });
-    let most = (0..).zip(changes).max_by(|a, b| a.1.total_cmp(&b.1));
-    let most = most.map(|(index, _)| index);
+    let most = (0..).zip(changes).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index);
     Ok(explained(most)?.map(|it| it.text(0.01, true)))
 }
 

@@ -25,28 +25,21 @@ impl Sets {
     ///
     /// # Errors
     /// If it is of another size, or has too many colours.
-    pub fn new(
-        [before, after]: [Vec<Picture>; 2],
-        regions: Option<&Picture>,
-    ) -> Result<Self, String> {
-        let size = before[0].size.map(|side| side as usize);
-        let decoded = Decoded::new(&before[0]);
+    pub fn new(sets: [Vec<Picture>; 2], regions: Option<&Picture>) -> Result<Self, String> {
+        let first = &sets[0][0];
+        let decoded = Decoded::new(first);
         let rounding = |value: &f32| {
             let [low, high] = decoded.interval(*value);
             // evenly spread over the interval
             Some((high - low) * (high - low) / 12.0).filter(|it| it.is_finite()).unwrap_or(0.0)
         };
-        let rounding = before[0].values.as_flattened().iter().map(rounding).collect();
+        let rounding = first.values.as_flattened().iter().map(rounding).collect();
         let areas = match regions {
-            None => Areas::tiles(size),
-            Some(regions) => regions_of(regions, before[0].size)?,
+            None => Areas::tiles(first.size.map(|side| side as usize)),
+            Some(regions) => regions_of(regions, first.size)?,
         };
-        Ok(Self {
-            areas,
-            before: before.into_iter().map(radiances).collect(),
-            after: after.into_iter().map(radiances).collect(),
-            rounding,
-        })
+        let [before, after] = sets.map(|set| set.into_iter().map(radiances).collect());
+        Ok(Self { areas, before, after, rounding })
     }
 
     /// The numbers of pictures before and after.

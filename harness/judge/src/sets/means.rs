@@ -35,13 +35,10 @@ impl AreaMeans {
                 sets.areas.pixels(evidence.sums.area(evidence.sums.places(*level, *number)[0]));
             let [before, after] =
                 [&sets.before, &sets.after].map(|set| Areas::means(set, &pixels, 0..3));
-            let apart = match &*pairs.0 {
+            let of_pairs = pairs.0.iter().map(|[a, b]| after[*b] - before[*a]);
+            let apart = match &*of_pairs.collect::<Vec<f64>>() {
                 [] | [_] => difference(&after, &before, confidence),
-                pairs => {
-                    let apart: Vec<f64> =
-                        pairs.iter().map(|[a, b]| after[*b] - before[*a]).collect();
-                    interval(&apart, confidence)
-                }
+                apart => interval(apart, confidence),
             };
             let average = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
             let [before, after] = [average(&before), average(&after)];

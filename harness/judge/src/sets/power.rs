@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::sums::{channels, slope};
 use super::{SetEvidence, Sets};
+use crate::verdict::Area;
 use crate::verdict::residuals::{around, mean_of};
 
 /// The gains that are tried.
@@ -75,12 +76,11 @@ fn is_seen(change: &[f64], times: f64, evidence: &SetEvidence<'_>) -> bool {
 
 /// The picture within a patch with this corner, and black elsewhere.
 fn within(mean: &[f64], sets: &Sets, corner: [usize; 2], side: usize) -> Vec<f64> {
-    let is_inside = |pixel: usize| {
-        let at = [pixel % sets.areas.size[0], pixel / sets.areas.size[0]];
-        (0..2).all(|axis| (corner[axis]..corner[axis] + side).contains(&at[axis]))
-    };
-    let value = |(index, value): (usize, &f64)| if is_inside(index / 3) { *value } else { 0.0 };
-    mean.iter().enumerate().map(value).collect()
+    let mut patch = vec![0.0; mean.len()];
+    for pixel in sets.areas.pixels(Area::Tile { corner, side }) {
+        patch[3 * pixel..][..3].copy_from_slice(&mean[3 * pixel..][..3]);
+    }
+    patch
 }
 
 /// The corner of a patch of about median brightness: of all of this side beside each other, without what is left over.

@@ -183,8 +183,6 @@ fn shown(world: &World, pixel: [u32; 2]) -> Arc<str> {
         return "the gap between the images".into();
     };
     let film = render::film_point(&world.image, [column, pixel[1]], [0.5, 0.5]);
-    let hit = eye
-        .ray(film, [0.0; 2])
-        .and_then(|ray| Some(world.hit(&ray, Span::AHEAD)?.object.name.clone()));
-    hit.unwrap_or_else(|| BACKGROUND.into())
+    let hit = eye.ray(film, [0.0; 2]).and_then(|ray| world.hit(&ray, Span::AHEAD));
+    hit.map_or_else(|| BACKGROUND.into(), |hit| hit.object.name.clone())
 }

@@ -1,5 +1,6 @@
 //! A picture held against ours, its values stored in each way that is possible; and what is tried when it differs.
 
+use std::mem::take;
 use std::ops::Deref;
 
 use groundtruth::film::Film;
@@ -68,8 +69,10 @@ impl Judge<'_> {
         if replicas.world.samples_per_pixel() == 1 || is_alike(before) {
             return false;
         }
-        let (usual, next) = (replicas.world.image.sampler.clone(), replicas.next);
-        let former = replicas.resample(Some(samplers::Random {}.into()));
+        let (former, next) = (take(&mut replicas.films), replicas.next);
+        let usual = replicas.world.image.sampler.replace(samplers::Random {}.into());
+        replicas.next = replicas.first;
+        replicas.fill(count);
         let is_nearer = replicas.films.len() == count
             && is_nearer(self.likeliest(theirs, &replicas.films, noise), before);
         if !is_nearer {

@@ -147,13 +147,12 @@ impl<'a> Inquiry<'a, '_, '_> {
         let mut hypotheses = self.hypotheses(&readings, 0);
         let mut found = self.judged(&readings, &hypotheses, &lineup);
         let tried = lineup.suspects.len();
-        for count in [1, 3].into_iter().filter(|_| !lineup.ours.is_empty()) {
-            if found.is_empty() && !(self.judge.is_over)() {
+        for count in [1, 3] {
+            if !lineup.ours.is_empty() && found.is_empty() && !(self.judge.is_over)() {
                 let first = lineup.suspects.len();
                 let of = |reading: &Reading<'_>| reading.numbers(&self.judge, &lineup, count);
                 let numbers = readings.iter().take(WAYS_WITH_NUMBERS).flat_map(of).collect();
-                let numbers = self.judge.suspected(numbers, &lineup);
-                lineup.suspects.extend(numbers);
+                self.judge.suspect(numbers, &mut lineup);
                 readings.iter_mut().for_each(|it| it.add(&lineup, first));
                 let more = self.hypotheses(&readings, first);
                 found = self.judged(&readings, &more, &lineup);

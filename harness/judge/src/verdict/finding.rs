@@ -131,7 +131,7 @@ impl Finding {
             independent: more.independent,
             replicas: theirs,
             as_far: if self.several.is_some() { 0 } else { judged.ranking.as_far_as(theirs) },
-            reference: judged.pool.reference().map(|mean| mean.pictures as u64),
+            reference: judged.pool.reference.as_ref().map(|mean| mean.pictures as u64),
             level: strictness.level,
             fixed: judged.is_fixed,
             set_apart: self.shown.1.len(),

@@ -188,7 +188,7 @@ fn mean(
     let ours: Vec<[f64; 3]> = (0..theirs).map(of).collect();
     let n = ours.len() as f64;
     let mean = [0, 1, 2].map(|channel| ours.iter().map(|mean| mean[channel]).sum::<f64>() / n);
-    let known = pool.reference().map_or(mean, |mean| of_values(&|at| mean.values[at]));
+    let known = pool.reference.as_ref().map_or(mean, |mean| of_values(&|at| mean.values[at]));
     let shown = of_values(&|at| f64::from(shown[at]));
     let student = StudentsT::new(0.0, 1.0, n - 1.0).expect("there are at least two");
     let quantile = student.inverse_cdf(0.5 + 0.5 * confidence);

@@ -111,25 +111,20 @@ fn about(material: &Material) -> String {
         return String::new();
     };
     let Some((kind, fields)) = recipe.into_iter().next() else { return String::new() };
-    let mut textures = Vec::new();
-    collect(&fields, &mut textures);
+    let mut words = vec![kind];
+    collect(&fields, &mut words);
     let bump = if material.bump.is_some() { ", with bumps" } else { "" };
-    match &*textures {
-        [] => format!("{kind}{bump}"),
-        _ => format!("{kind}, {}{bump}", textures.join(", ")),
-    }
+    words.join(", ") + bump
 }
 
-/// Fields that are textures: tables of one key, the texture's kind.
-fn collect(fields: &Value, textures: &mut Vec<String>) {
+/// Adds fields that are textures: tables of one key, the texture's kind.
+fn collect(fields: &Value, words: &mut Vec<String>) {
     let Value::Object(fields) = fields else { return };
     for (field, value) in fields {
         let only = value.as_object().filter(|table| table.len() == 1);
         match only.and_then(|table| table.iter().next()) {
-            Some((kind, Value::Object(_))) => {
-                textures.push(format!("{field} is the texture {kind}"))
-            }
-            _ => collect(value, textures),
+            Some((kind, Value::Object(_))) => words.push(format!("{field} is the texture {kind}")),
+            _ => collect(value, words),
         }
     }
 }

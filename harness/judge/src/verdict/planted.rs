@@ -18,9 +18,8 @@ pub struct PlantedDefect {
 pub fn planted(changed: Vec<f32>, pool: &Pool, areas: &Areas, from: usize) -> bool {
     let others = (1..pool.count() - 1).map(|index| pool.picture(index).to_vec());
     let pictures = std::iter::once(changed).chain(others).collect();
-    let pool = Pool::new(areas.size, pool.stored, pictures).against_mean(pool.reference().cloned());
-    let ranking = Ranking::of(&pool, areas, from);
-    ranking.as_far_as(0) == 0
+    let pool = Pool::new(areas.size, pool.stored, pictures).against_mean(pool.reference.clone());
+    Ranking::of(&pool, areas, from).as_far_as(0) == 0
 }
 
 /// A film whose pixels of an area are this many times as bright.

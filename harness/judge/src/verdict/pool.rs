@@ -19,7 +19,7 @@ pub struct Pool {
     squares: Vec<f64>,
     agreement: Vec<Agreement>,
     /// What all pictures are held against, instead of the mean of the others.
-    reference: Option<Mean>,
+    pub reference: Option<Mean>,
 }
 
 /// Which pictures have the same value.
@@ -75,11 +75,6 @@ impl Pool {
         Self { reference, ..self }
     }
 
-    /// The mean that pictures are held against.
-    pub fn reference(&self) -> Option<&Mean> {
-        self.reference.as_ref()
-    }
-
     /// The variance of the mean that a picture is held against, in units of that of one picture.
     pub fn variance_of_mean(&self) -> f64 {
         1.0 / self.reference.as_ref().map_or(self.count() as f64 - 1.0, |mean| mean.pictures)
@@ -103,14 +98,13 @@ impl Pool {
             Agreement::AllBut(other) if other as usize == picture => Against::Outlier,
             Agreement::AllBut(_) | Agreement::Few => {
                 let n = self.count() as f64;
-                let own = f64::from(self.pictures[picture][index]) - self.mean[index];
+                let value = f64::from(self.pictures[picture][index]);
+                let own = value - self.mean[index];
                 // without the picture itself: of the mean, and of the sum of squares
                 let difference = own * n / (n - 1.0);
                 let squares = (self.squares[index] - own * difference).max(0.0);
-                let difference = match &self.reference {
-                    Some(mean) => f64::from(self.pictures[picture][index]) - mean.values[index],
-                    None => difference,
-                };
+                let held = self.reference.as_ref().map(|mean| value - mean.values[index]);
+                let difference = held.unwrap_or(difference);
                 Against::Varied { difference, variance: squares / (n - 2.0) }
             }
         }

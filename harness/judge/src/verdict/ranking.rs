@@ -141,7 +141,7 @@ fn variance(ratio: f64, pool: &Pool) -> f64 {
     let others = pool.count() as f64 - 1.0;
     let mean = pool.variance_of_mean();
     // a x² + b x + c = 0
-    let [a, b, c] = match pool.reference() {
+    let [a, b, c] = match &pool.reference {
         None => {
             let squared = others * others;
             let c = others - 1.0 - ratio * (squared + others - 1.0);

@@ -2,7 +2,6 @@
 
 use groundtruth::film::Film;
 use groundtruth::render::{Canvas, Crop};
-use groundtruth::samplers;
 use groundtruth::world::World;
 
 use pictures::compare;
@@ -74,15 +73,6 @@ impl<'a, 'b> Replicas<'a, 'b> {
         [self.world.image.width, self.world.image.height] = size;
         self.next += 1;
         is_whole.then(|| canvas.film())
-    }
-
-    /// Renders the first ones with another sampler; the former ones are returned.
-    pub fn resample(&mut self, sampler: Option<samplers::Kind>) -> Vec<Film> {
-        let (count, former) = (self.films.len(), std::mem::take(&mut self.films));
-        self.world.image.sampler = sampler;
-        self.next = self.first;
-        self.fill(count);
-        former
     }
 
     /// Renders until there are so many films, or the user interrupts.

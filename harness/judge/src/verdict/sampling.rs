@@ -60,14 +60,14 @@ impl Sampling {
             same if same == own => String::new(),
             other => format!("--their-samples {other} "),
         };
+        let so = format!("`{count}--their-sampler regular` makes ours alike");
         match (&self.sampler, self.samples) {
-            (samplers::Kind::Regular(_), 1) => format!(
-                "its one sample is the centre of each pixel; `{count}--their-sampler regular` makes ours alike"
-            ),
-            (samplers::Kind::Regular(_), _) => format!(
-                "its samples are regular, {side} × {side}, alike in all pixels; `{count}--their-sampler regular` makes ours \
-                 alike"
-            ),
+            (samplers::Kind::Regular(_), 1) => {
+                format!("its one sample is the centre of each pixel; {so}")
+            }
+            (samplers::Kind::Regular(_), _) => {
+                format!("its samples are regular, {side} × {side}, alike in all pixels; {so}")
+            }
             _ => "it has one set of samples for all pixels, Hammersley's; `--their-sampler hammersley` makes ours alike"
                 .to_owned(),
         }

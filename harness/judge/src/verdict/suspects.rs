@@ -19,20 +19,11 @@ pub(super) enum Suspect {
 
 impl Suspect {
     pub fn cause(&self) -> Cause {
-        match self {
-            Self::Known(mistake) => Cause {
-                name: Some(mistake.name),
-                words: mistake.sentence(),
-                chapter: Some(mistake.chapter),
-                also: None,
-            },
-            Self::Local(local) => Cause {
-                name: local.everywhere,
-                words: local.words.clone(),
-                chapter: None,
-                also: None,
-            },
-        }
+        let (name, words, chapter) = match self {
+            Self::Known(mistake) => (Some(mistake.name), mistake.sentence(), Some(mistake.chapter)),
+            Self::Local(local) => (local.everywhere, local.words.clone(), None),
+        };
+        Cause { name, words, chapter, also: None }
     }
 
     /// Its picture of a scene with a seed; `None` if it has none, or if the search is to end.
@@ -115,17 +106,12 @@ impl Case<'_> {
                 changed.extend(local::without(self.scene, object));
             }
         }
-        let changed = self.suspected(changed, &found);
-        found.suspects.extend(changed);
+        self.suspect(changed, &mut found);
         found
     }
 
-    /// Those of the changed scenes whose pixels are not ours.
-    pub(super) fn suspected(
-        &self,
-        changed: Vec<Local>,
-        lineup: &Lineup,
-    ) -> Vec<(Suspect, Vec<Vec<Rgb>>)> {
+    /// Adds those of the changed scenes whose pixels are not ours.
+    pub(super) fn suspect(&self, changed: Vec<Local>, lineup: &mut Lineup) {
         let of = |local: Local| {
             let of_seed = |(seed, ours): (&u64, &Vec<Rgb>)| {
                 let values = self.pixels(&local.scene, *seed, lineup)?;
@@ -135,7 +121,8 @@ impl Case<'_> {
                 lineup.seeds.iter().zip(&lineup.ours).map(of_seed).collect();
             Some((Suspect::Local(Box::new(local)), values?))
         };
-        changed.into_iter().filter_map(of).collect()
+        let more: Vec<_> = changed.into_iter().filter_map(of).collect();
+        lineup.suspects.extend(more);
     }
 
     /// The pixels of a lineup in another scene; `None` if it has no world, or the search is to end.
