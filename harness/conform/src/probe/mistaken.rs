@@ -11,7 +11,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 use groundtruth::{render, trace};
-use judge::mistakes::{Mistake, Reweighing, built, pixel};
+use judge::mistakes::{Mistake, Mistaken, Reweighing, pixel};
 
 /// The answer of a program with a known mistake.
 #[derive(Clone, Copy, Debug)]
@@ -41,8 +41,8 @@ fn of(asked: &Radiance, mistakes: &[&'static Mistake]) -> Option<Vec<WithMistake
         mistakes.iter().copied().partition(|mistake| mistake.is_reweighed());
     let mut all = heard(asked, world, &looks, &reweighed);
     for mistake in changed {
-        let other = built(mistake, &scene, Path::new(""), asked.seed());
-        let Ok(Some((_, mut world))) = other else { continue };
+        let other = Mistaken::new(mistake, &scene, Path::new(""), asked.seed());
+        let Ok(Some(Mistaken { mut world, .. })) = other else { continue };
         let mut budget = RayBudget::up_to(MOST_RAYS);
         let values = asked.seeds().map(|seed| {
             world.reseed(seed);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use groundtruth::scene::{Scene, Tracer};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::known::{self, KnownMistake};
 
@@ -57,11 +57,8 @@ pub fn without_shadows(scene: &Scene) -> Vec<Local> {
         return Vec::new();
     }
     let mut all = Vec::new();
-    let casting = |scene: &Scene| -> BTreeSet<String> {
-        let objects = scene.objects.iter().filter(|it| it.enabled && it.casts_shadows);
-        objects.filter_map(|it| kind(&it.shape)).collect()
-    };
-    let kinds = casting(scene);
+    let casting = scene.objects.iter().filter(|it| it.enabled && it.casts_shadows);
+    let kinds: BTreeSet<String> = casting.filter_map(|it| kind(&it.shape)).collect();
     for name in kinds.iter().filter(|_| kinds.len() > 1) {
         let mut scene = scene.clone();
         let its = scene.objects.iter_mut().filter(|it| kind(&it.shape).as_ref() == Some(name));
@@ -83,8 +80,5 @@ pub fn without_shadows(scene: &Scene) -> Vec<Local> {
 
 /// The kind of a shape, as scene files name it; `None` for kinds that these do not have.
 fn kind(shape: &groundtruth::shapes::Kind) -> Option<String> {
-    match serde_json::to_value(shape).ok()? {
-        Value::Object(table) => table.into_iter().next().map(|(name, _)| name),
-        _ => None,
-    }
+    serde_json::to_value(shape).ok()?.as_object()?.keys().next().cloned()
 }

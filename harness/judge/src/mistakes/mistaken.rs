@@ -12,20 +12,21 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term};
 use groundtruth::world::{Search, World};
 
-use super::{How, Mistake, Reweighing, all, built};
+use super::{How, Mistake, Reweighing, all, edited};
 
 /// A program with a mistake, and the scene that it renders.
 #[derive(Debug)]
 pub struct Mistaken {
     /// The scene; another than the right program's if the mistake is made by a change of it.
     pub scene: Scene,
-    world: World,
+    /// The world of this scene.
+    pub world: World,
     mistake: [&'static Mistake; 1],
 }
 
 impl Mistaken {
     /// The program with this mistake on a scene, of which named files are in the folder; `None` if the mistake does not
-    /// apply to it.
+    /// apply to it. Of a mistake of terms, scene and world are ours.
     ///
     /// # Errors
     /// If the scene has no world.
@@ -35,8 +36,18 @@ impl Mistaken {
         folder: &Path,
         seed: u64,
     ) -> Result<Option<Self>, Invalid> {
-        let built = built(mistake, original, folder, seed)?;
-        Ok(built.map(|(scene, world)| Self { scene, world, mistake: [mistake] }))
+        let scene = match mistake.how {
+            How::Edits(edits) => edited(original, edits),
+            How::Scene(change) => change(original, folder),
+            _ => Some(original.clone()),
+        };
+        let Some(scene) = scene else { return Ok(None) };
+        let mut world = World::build_seeded(&scene, folder, seed)?;
+        let applies = match mistake.how {
+            How::World(change) | How::Both(change, _) => change(&mut world, &scene, folder),
+            _ => Some(()),
+        };
+        Ok(applies.map(|()| Self { scene, world, mistake: [mistake] }))
     }
 
     /// The programs with each known mistake that applies to a scene, beside its name and what it does wrong.

@@ -29,7 +29,6 @@ pub mod table;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use groundtruth::invalid::Invalid;
 use groundtruth::lobes::Fresnel;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -232,31 +231,6 @@ pub fn command(scene: &str) -> String {
 /// Whether this names a scene file.
 pub fn is_file(scene: &str) -> bool {
     Path::new(scene).extension().is_some_and(|it| it == "toml")
-}
-
-/// The scene and the world of which the picture of a mistake is made; `None` if the mistake does not apply to the scene. Of a
-/// mistake of terms they are ours.
-///
-/// # Errors
-/// If the scene has no world.
-pub fn built(
-    mistake: &Mistake,
-    original: &Scene,
-    folder: &Path,
-    seed: u64,
-) -> Result<Option<(Scene, World)>, Invalid> {
-    let scene = match mistake.how {
-        How::Edits(edits) => edited(original, edits),
-        How::Scene(change) => change(original, folder),
-        _ => Some(original.clone()),
-    };
-    let Some(scene) = scene else { return Ok(None) };
-    let mut world = World::build_seeded(&scene, folder, seed)?;
-    let applies = match mistake.how {
-        How::World(change) | How::Both(change, _) => change(&mut world, &scene, folder),
-        _ => Some(()),
-    };
-    Ok(applies.map(|()| (scene, world)))
 }
 
 /// The scene with these edits; `None` if they change nothing, or if the scene cannot be written to a file.

@@ -46,17 +46,16 @@ impl Effect {
 
 /// The largest relative change of a channel of each pixel of a picture that is replaced by another of its size.
 pub(super) fn changes(ours: &[Rgb], theirs: &[Rgb]) -> Vec<f64> {
-    let [ours, theirs] = [ours, theirs].map(|all| all.iter().map(|it| it.to_array()));
-    let (ours, theirs): (Vec<[f64; 3]>, Vec<[f64; 3]>) = (ours.collect(), theirs.collect());
-    let mean = ours.iter().flatten().sum::<f64>() / (3 * ours.len()) as f64;
-    let change = |(a, b): (&[f64; 3], &[f64; 3])| {
+    let mean = ours.iter().flat_map(|it| it.to_array()).sum::<f64>() / (3 * ours.len()) as f64;
+    let change = |(a, b): (&Rgb, &Rgb)| {
+        let [a, b] = [a, b].map(|it| it.to_array());
         let relative = |i: usize| match (b[i] - a[i]).abs() {
             0.0 => 0.0,
             difference => difference / a[i].max(mean),
         };
         relative(0).max(relative(1)).max(relative(2))
     };
-    ours.iter().zip(&theirs).map(change).collect()
+    ours.iter().zip(theirs).map(change).collect()
 }
 
 /// A scene so many pixels wide, with at most so many samples.

@@ -6,7 +6,7 @@ use groundtruth::scene::build::*;
 use groundtruth::scene::{Light, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::known::{self, KnownMistake};
-use judge::mistakes::{self, How, MistakeInScene, table};
+use judge::mistakes::{self, How, MistakeInScene, Mistaken, table};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -153,9 +153,9 @@ fn changed_scenes_are_valid() {
     for name in names {
         let scene = small(name, 16, 1);
         for mistake in mistakes::forms() {
-            let built = mistakes::built(mistake, &scene, Path::new(""), DEFAULT_SEED);
+            let built = Mistaken::new(mistake, &scene, Path::new(""), DEFAULT_SEED);
             let built = built.unwrap_or_else(|e| panic!("{name}: {e}"));
-            if let Some((_, world)) = built.filter(|_| !mistake.is_reweighed()) {
+            if let Some(Mistaken { world, .. }) = built.filter(|_| !mistake.is_reweighed()) {
                 let size = World::build(&scene).expect("it is valid").picture_size();
                 assert_eq!(world.picture_size(), size, "{name} with {}", mistake.name);
                 count += 1;
