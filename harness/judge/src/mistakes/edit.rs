@@ -1,6 +1,7 @@
 //! Edits of a scene, as the file of mistakes says them.
 
 use std::collections::BTreeMap;
+use std::ops::{Add, Mul};
 
 use groundtruth::math::power;
 use serde::{Deserialize, Deserializer};
@@ -103,14 +104,12 @@ impl Edit {
         {
             return None;
         }
-        let times = |x, by| x * by;
-        let plus = |x, by| x + by;
         let changes = [
             all(&self.set, fields, set),
             all(&self.instead, fields, instead),
             any(self.without.iter().filter_map(|path| without(fields, path))),
-            all(&self.times, fields, |fields, path, by| number_by(fields, path, by, times)),
-            all(&self.plus, fields, |fields, path, by| number_by(fields, path, by, plus)),
+            all(&self.times, fields, |fields, path, by| number_by(fields, path, by, Mul::mul)),
+            all(&self.plus, fields, |fields, path, by| number_by(fields, path, by, Add::add)),
             all(&self.power, fields, |fields, path, by| number_by(fields, path, by, power)),
             all(&self.at_most, fields, |fields, path, by| number_by(fields, path, by, f64::min)),
             all(&self.like, fields, |fields, path, from| like(fields, path, from)),
@@ -215,13 +214,8 @@ fn reverse(fields: &mut Fields, path: &str) -> Option<()> {
     (items.len() > 1).then_some(())
 }
 
-fn number_by(
-    fields: &mut Fields,
-    path: &str,
-    amount: &Amount,
-    of: impl Fn(f64, f64) -> f64,
-) -> Option<()> {
-    let by = match amount {
+fn number_by(fields: &mut Fields, path: &str, by: &Amount, of: fn(f64, f64) -> f64) -> Option<()> {
+    let by = match by {
         Amount::Number(by) => *by,
         Amount::Field(path) => get(fields, path)?.as_f64()?,
     };

@@ -10,6 +10,9 @@ pub(super) type Fields = Map<String, Value>;
 /// What is done with a table of a kind.
 type Change<'a> = &'a dyn Fn(&str, &mut Fields) -> Option<()>;
 
+/// What is done with a table inside another.
+type Inner<'a> = &'a dyn Fn(&mut Fields) -> Option<()>;
+
 /// Tables of a scene.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -98,11 +101,7 @@ impl Place {
 }
 
 /// Changes each item of a list of the scene.
-pub(super) fn items(
-    data: &mut Value,
-    list: &str,
-    change: impl Fn(&mut Fields) -> Option<()>,
-) -> Option<()> {
+fn items(data: &mut Value, list: &str, change: impl Fn(&mut Fields) -> Option<()>) -> Option<()> {
     let items = data.get_mut("scene")?.get_mut(list)?.as_array_mut()?;
     any(items.iter_mut().filter_map(|item| change(item.as_object_mut()?)))
 }
@@ -133,23 +132,14 @@ fn kind(item: &Fields, field: &str) -> String {
 
 /// Changes every table of these names inside a table, each table of a list of this name, and with the name `*` all tables;
 /// not inside one that it changed.
-pub(super) fn inside(
-    fields: &mut Fields,
-    names: &[String],
-    change: &dyn Fn(&mut Fields) -> Option<()>,
-) -> Option<()> {
+pub(super) fn inside(fields: &mut Fields, names: &[String], change: Inner<'_>) -> Option<()> {
     any(fields.iter_mut().filter_map(|(key, value)| {
         let is_named = names.iter().any(|name| name == key || name == "*");
         tables(value, is_named, names, change)
     }))
 }
 
-fn tables(
-    value: &mut Value,
-    is_named: bool,
-    names: &[String],
-    change: &dyn Fn(&mut Fields) -> Option<()>,
-) -> Option<()> {
+fn tables(value: &mut Value, is_named: bool, names: &[String], change: Inner<'_>) -> Option<()> {
     match value {
         Value::Object(table) => {
             let changed = if is_named { change(table) } else { None };

@@ -182,10 +182,8 @@ impl SetsVerdict {
             (evidence.sums.smallest(*pixel)[*channel], *difference)
         };
         found.sums.extend(fixed.iter().map(sum));
-        let is_one_sided = {
-            let (before, after) = odd.split_at(pictures[0]);
-            before.iter().any(Odd::is_broken) != after.iter().any(Odd::is_broken)
-        };
+        let (before, after) = odd.split_at(pictures[0]);
+        let is_one_sided = before.iter().any(Odd::is_broken) != after.iter().any(Odd::is_broken);
         if is_one_sided || !fixed.is_empty() {
             found.probability = 0.0;
         }

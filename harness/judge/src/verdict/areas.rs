@@ -153,9 +153,8 @@ impl Areas {
     pub(crate) fn bounds(&self, pixels: &[usize]) -> [usize; 4] {
         let along = |of: &dyn Fn(usize) -> usize| {
             let all = || pixels.iter().map(|pixel| of(*pixel));
-            let [least, most] =
-                [all().min(), all().max()].map(|end| end.expect("there are pixels"));
-            [least, most - least + 1]
+            let least = all().min().expect("there are pixels");
+            [least, all().max().unwrap_or(least) - least + 1]
         };
         let width = self.size[0];
         let [[x, w], [y, h]] = [along(&|at| at % width), along(&|at| at / width)];

@@ -177,13 +177,12 @@ impl Evaluation {
         let mut so_far: Option<Self> = None;
         let mut wanted = strictness.first;
         loop {
-            let mut is_interrupted = false;
-            while known.len() < wanted && !is_interrupted {
-                match replicas(so_far.as_ref()) {
-                    Some(picture) => known.push(picture),
-                    None => is_interrupted = true,
-                }
+            while known.len() < wanted
+                && let Some(picture) = replicas(so_far.as_ref())
+            {
+                known.push(picture);
             }
+            let is_interrupted = known.len() < wanted;
             if known.len() < 3 {
                 return None;
             }

@@ -77,7 +77,10 @@ impl Stored {
         let mut bright = vec![Bright::Mapped(rule), Bright::Clamped];
         bright.extend([OutOfGamut::MaxToOne, OutOfGamut::ClampToColor].map(Bright::Mapped));
         let mut all: Vec<Self> = Vec::new();
-        let is_white_less = lacks_largest(picture, step);
+        // whether the largest integer in it is one below the largest possible
+        let values = picture.values.as_flattened().iter().filter(|value| value.is_finite());
+        let largest = values.fold(0.0_f64, |largest, value| largest.max((*value).into()));
+        let is_white_less = (largest / step).round() + 1.0 == (1.0 / step).round();
         for transfer in transfers {
             let almost =
                 (is_white_less && transfer == Transfer::Srgb).then_some(Quantiser::ALMOST_ONE);
@@ -251,13 +254,6 @@ impl fmt::Display for Stored {
             }
         }
     }
-}
-
-/// Whether the largest integer in a picture is one below the largest possible.
-fn lacks_largest(picture: &Picture, step: f64) -> bool {
-    let values = picture.values.as_flattened().iter().filter(|value| value.is_finite());
-    let largest = values.fold(0.0_f64, |largest, value| largest.max((*value).into()));
-    (largest / step).round() + 1.0 == (1.0 / step).round()
 }
 
 /// The value of the last bit of the largest channel, for a shared exponent.
