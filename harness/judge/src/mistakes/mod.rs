@@ -1,7 +1,8 @@
 //! Known mistakes: the picture that a program with one mistake would render, for each entry of a file ([`known`]).
 //!
 //! A picture that disagrees with ours may agree with that of a mistake, which is then named. No mistake is a switch
-//! of the tracer. Many change the values of the terms that a recorder hears ([`How::Term`] to [`How::Ray`]), so that one pass with the same random numbers renders the pictures of all of them. The others change the scene: by edits that the file
+//! of the tracer. Many change the values of the terms that a recorder hears ([`How::Term`] to [`How::Ray`]), so that one
+//! pass with the same random numbers renders the pictures of all of them. The others change the scene: by edits that the file
 //! says ([`How::Edits`]), or by code ([`How::Scene`], [`How::World`]), which wraps a light, camera or material.
 //! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
 //! ([`local`]).
