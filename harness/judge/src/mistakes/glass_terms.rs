@@ -26,11 +26,11 @@ pub(super) const ALL: &[Mistake] = &[
         inside(term)?;
         with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
     })
-    .form("in Fresnel's equations alone"),
-    Mistake::factor("eta-not-inverted", factor_inside).form("in the factor 1/η² alone"),
+    .in_form("in Fresnel's equations alone"),
+    Mistake::factor("eta-not-inverted", factor_inside).in_form("in the factor 1/η² alone"),
     Mistake::fresnel("schlick", |cos_i, eta| shares(schlick(cos_i, eta))),
     Mistake::fresnel("schlick", |cos_i, eta| shares(schlick(cosine_in_air(cos_i, eta), eta)))
-        .form("with the larger of both angles"),
+        .in_form("with the larger of both angles"),
     Mistake::fresnel("fresnel-swapped", |cos_i, eta| {
         let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
         Fresnel { reflected: transmitted, transmitted: reflected }
@@ -47,11 +47,11 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::fresnel("fresnel-index-inverted", |cos_i, eta| fresnel(cos_i, 1.0 / eta)),
     Mistake::ray("no-absorption", |ray| ray.sum),
     Mistake::ray("no-absorption", |ray| not_along(ray, RayKind::Reflected))
-        .form("along reflected rays"),
+        .in_form("along reflected rays"),
     Mistake::ray("no-absorption", |ray| not_along(ray, RayKind::Transmitted))
-        .form("along transmitted rays"),
+        .in_form("along transmitted rays"),
     Mistake::ray("no-absorption", |ray| not_along(ray, RayKind::Camera))
-        .form("along the camera's rays"),
+        .in_form("along the camera's rays"),
     Mistake::ray("absorption-without-distance", |ray| absorption_over(ray, |t| 1.0 / t)),
     Mistake::ray("absorption-twice", |ray| absorption_over(ray, |_| 2.0)),
 ];

@@ -36,11 +36,11 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::factor("lamp-cosine-twice", |term| Some(term.lamp()?.cosine)),
     Mistake::factor("no-lamp-distance", |term| Some(term.lamp()?.distance_squared)),
     Mistake::factor("no-lamp-distance", |term| Some(term.lamp()?.distance_squared.sqrt()))
-        .form("but has 1/d"),
+        .in_form("but has 1/d"),
     Mistake::factor("no-lamp-distance", |term| {
         term.lamp().map(|lamp| lamp.distance_squared / lamp.cosine)
     })
-    .form("and the cosine at the lamp"),
+    .in_form("and the cosine at the lamp"),
     Mistake::term("lamp-of-receiver", |term| match term.direct()? {
         (Lobe::Lambertian(matte), _) => term.lamp().map(|_| matte.reflectance * term.value()),
         _ => None,

@@ -125,7 +125,7 @@ impl Mistake {
     }
 
     /// In another form than the mistake of this name that has none.
-    const fn form(self, form: &'static str) -> Self {
+    const fn in_form(self, form: &'static str) -> Self {
         Self { form: Some(form), ..self }
     }
 

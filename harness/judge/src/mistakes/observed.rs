@@ -152,7 +152,7 @@ impl ObservedTerm<'_> {
 
     /// The direction of the light of a term of direct light. `None` if no ray was cast and the light has more than
     /// one direction.
-    pub fn to_light(&self) -> Option<Vector> {
+    pub fn light_direction(&self) -> Option<Vector> {
         match self.from {
             Some(ray) if self.direct().is_some() => ray.direction.unit(),
             _ => Some(self.single_sample()?.direction),

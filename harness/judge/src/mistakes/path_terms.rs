@@ -37,20 +37,20 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::term("light-counted-twice", |term| {
         term.direct().and_then(|_| light_counted_twice(term))
     })
-    .form("in full where they are sampled alone"),
+    .in_form("in full where they are sampled alone"),
     Mistake::term("light-counted-twice", |term| {
         light_counted_twice(term).filter(|_| term.direct().is_none())
     })
-    .form("in full where a path hits them alone"),
+    .in_form("in full where a path hits them alone"),
     Mistake::factor("mis-two-heuristics", |term| of_samples(term, balanced)),
     Mistake::factor("mis-two-heuristics", |term| of_hits(term, balanced))
-        .form("the other way round"),
+        .in_form("the other way round"),
     Mistake::factor("mis-other-weight", |term| of_samples(term, others)),
     Mistake::factor("mis-other-weight", |term| of_hits(term, others))
-        .form("or where a path hits them"),
+        .in_form("or where a path hits them"),
     Mistake::factor("path-cosine-twice", cosine),
     Mistake::factor("path-cosine-twice", |term| Some(2.0 * cosine(term)?))
-        .form("with the density 1/2π of even directions"),
+        .in_form("with the density 1/2π of even directions"),
     Mistake::term("path-without-reflectance", |term| term.unweighed().filter(|_| is_diffuse(term))),
     Mistake::factor("path-without-density", |term| term.density().filter(|_| is_diffuse(term))),
     Mistake::factor("path-pi-twice", |term| is_diffuse(term).then_some(1.0 / PI)),

@@ -26,7 +26,7 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::term("highlight-of-half-vector", |term| {
         with_highlight(term, |n, wo, wi| power(half_vector(n, wo, wi), 4.0))
     })
-    .form("with four times the exponent"),
+    .in_form("with four times the exponent"),
     Mistake::term("highlight-without-two", |term| {
         with_highlight(term, |n, wo, wi| times_mirrored(1.0, n, wo, wi))
     }),
@@ -75,7 +75,7 @@ fn with_highlight(
     other: impl Fn(Normal, Vector, Vector) -> f64,
 ) -> Option<Rgb> {
     let ((lobe, _), surface) = (term.direct()?, term.ray.surface.as_ref()?);
-    let wi = term.to_light()?;
+    let wi = term.light_direction()?;
     let (n, wo) = (surface.normals.shading, surface.wo);
     let (right, wrong) = (times_mirrored(2.0, n, wo, wi), other(n, wo, wi).max(0.0));
     let highlights = surface.lobes.iter().find_map(|(lobe, _)| match lobe {

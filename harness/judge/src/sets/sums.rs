@@ -24,8 +24,10 @@ pub enum SumKind {
     Patterns,
 }
 
-/// Small changes of a whole picture: their names, and what they add to a channel of the mean picture.
-const PATTERNS: [(&str, fn(&[f64], [usize; 2]) -> Vec<f64>); 4] = [
+/// A small change of a whole picture: its name, and what it adds to a channel of the mean picture.
+type Pattern = (&'static str, fn(&[f64], [usize; 2]) -> Vec<f64>);
+
+const PATTERNS: [Pattern; 4] = [
     ("brightness", |mean, _| mean.to_vec()),
     // shifts to the left, and up
     ("place along the rows", |mean, size| slope(mean, size, 0)),

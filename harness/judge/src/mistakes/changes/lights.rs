@@ -31,9 +31,9 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::scene("no-offset", |scene, _| with_least_distance(scene, *LENGTHS.start())),
     Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 1.0)),
     Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 0.1))
-        .form("or than 0.1"),
+        .in_form("or than 0.1"),
     Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 0.01))
-        .form("or than 0.01"),
+        .in_form("or than 0.01"),
     Mistake::world("occluder-uniform", occluder_uniform),
     Mistake::world("no-lamp-area", no_lamp_area),
     Mistake::world("sky-sampled-turned", |world, scene, folder| {
@@ -42,15 +42,15 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::world("sky-sampled-turned", |world, scene, folder| {
         sky_sampled(world, scene, folder, |degrees| degrees + 180.0)
     })
-    .form("or by 180°"),
+    .in_form("or by 180°"),
     Mistake::world("sky-sampled-turned", |world, scene, folder| {
         sky_sampled(world, scene, folder, |_| 0.0)
     })
-    .form("or not turned"),
+    .in_form("or not turned"),
     Mistake::world("sky-sampled-turned", |world, scene, folder| {
         sky_sampled(world, scene, folder, |degrees| -degrees)
     })
-    .form("or turned the other way"),
+    .in_form("or turned the other way"),
 ];
 
 /// The scene as the book's program hits it, whose rays start on the surface and ignore all hits that are nearer. Where that is

@@ -21,13 +21,13 @@ use crate::mistakes::places::any;
 pub(super) const ALL: &[Mistake] = &[
     // in refraction, in Fresnel's equations and in the factor 1/η²
     Mistake::world("eta-not-inverted", not_inverted),
-    Mistake::both("eta-not-inverted", not_inverted, both_right).form("in refraction alone"),
+    Mistake::both("eta-not-inverted", not_inverted, both_right).in_form("in refraction alone"),
     Mistake::both("eta-not-inverted", not_inverted, fresnel_right)
-        .form("but right in Fresnel's equations"),
+        .in_form("but right in Fresnel's equations"),
     Mistake::both("eta-not-inverted", not_inverted, factor_right)
-        .form("but right in the factor 1/η²"),
+        .in_form("but right in the factor 1/η²"),
     Mistake::both("eta-not-inverted", not_inverted, total_right)
-        .form("but right where reflection is total"),
+        .in_form("but right where reflection is total"),
     Mistake::world("eta-inverted", |world, scene, _| {
         // the weights of a mirror are those of a viewer on the other side, for whom reflection is total where the index
         // says so
