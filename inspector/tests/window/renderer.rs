@@ -83,6 +83,22 @@ fn triangle(
     if whole == 0.0 {
         return;
     }
+    let source = |weights: [f32; 3]| -> [f32; 4] {
+        let mix =
+            |of: fn(&Vertex) -> f32| -> f32 { (0..3).map(|i| weights[i] * of(&corners[i])).sum() };
+        let texel = sample(texture, mix(|v| v.uv.x), mix(|v| v.uv.y));
+        let tint: [fn(&Vertex) -> f32; 4] = [
+            |v| v.color.r().into(),
+            |v| v.color.g().into(),
+            |v| v.color.b().into(),
+            |v| v.color.a().into(),
+        ];
+        std::array::from_fn(|i| texel[i] * mix(tint[i]) / 255.0)
+    };
+    // most triangles have one colour: it is found once
+    let look = |vertex: &Vertex| (vertex.uv, vertex.color);
+    let is_plain = corners.iter().all(|vertex| look(vertex) == look(&corners[0]));
+    let plain = is_plain.then(|| source([1.0, 0.0, 0.0]));
     let low = a.min(b).min(c).max(clip_min).max(Pos2::ZERO);
     let high = a.max(b).max(c).min(clip_max);
     let (right, bottom) = (high.x.ceil() as u32, high.y.ceil() as u32);
@@ -95,17 +111,7 @@ fn triangle(
             if clipped || weights.iter().any(|&weight| weight < 0.0) {
                 continue;
             }
-            let mix = |of: fn(&Vertex) -> f32| -> f32 {
-                (0..3).map(|i| weights[i] * of(&corners[i])).sum()
-            };
-            let texel = sample(texture, mix(|v| v.uv.x), mix(|v| v.uv.y));
-            let tint: [fn(&Vertex) -> f32; 4] = [
-                |v| v.color.r().into(),
-                |v| v.color.g().into(),
-                |v| v.color.b().into(),
-                |v| v.color.a().into(),
-            ];
-            let source: [f32; 4] = std::array::from_fn(|i| texel[i] * mix(tint[i]) / 255.0);
+            let source = plain.unwrap_or_else(|| source(weights));
             let target = picture.get_pixel_mut(x, y);
             for i in 0..4 {
                 // premultiplied alpha

@@ -193,8 +193,8 @@ fn the_right_button_asks_why_not() {
     assert_eq!(window.state().selection.pixel, Some(PIXEL), "the pixel stays");
 }
 
-/// Law: what is pointed at is outlined, and keeps its own colours inside, so that none is that of a ray. Oracle: the screen
-/// before, in the middle of the red sphere and around its projected bounds.
+/// Law: what is pointed at is outlined, and keeps its own colours inside, so that none is that of a ray; when another object is
+/// pointed at, it is no more. Oracle: the screen before, in the middle of the red sphere and around its projected bounds.
 #[test]
 fn what_is_pointed_at_is_outlined() {
     let mut window = in_space();
@@ -214,6 +214,12 @@ fn what_is_pointed_at_is_outlined() {
     assert!(changed.len() > 100, "{} pixels of an outline", changed.len());
     let near = |[x, y]: &&[u32; 2]| pos2(*x as f32, *y as f32).distance(middle) < 12.0;
     assert_eq!(changed.iter().find(near), None);
+    let glass = window.get_by_label("glass sphere").rect().center();
+    window.hover_at(glass);
+    settle(&mut window);
+    let other = window.render().expect("drawn");
+    let kept = changed.iter().filter(|[x, y]| other.get_pixel(*x, *y) == after.get_pixel(*x, *y));
+    assert!(10 * kept.count() < changed.len(), "the outline is still there");
 }
 
 /// Law: rays of less than half a per cent are not drawn at first but counted; the path to one that is selected is drawn with
