@@ -122,7 +122,13 @@ impl Canvas<'_> {
                         self.painter.extend(Shape::dashed_line(&line, pen, 7.0, 6.0));
                         continue;
                     }
-                    self.stroke(line, width, color, opacity);
+                    if weight > 0.0 || is_lit || is_broken {
+                        self.stroke(line, width, color, opacity);
+                    } else {
+                        // without the wider one: a thousand faint rays would darken the scene
+                        let pen = Stroke::new(width, color.gamma_multiply(opacity));
+                        self.painter.line_segment(line, pen);
+                    }
                     drawn.push((segment.ray, line));
                 }
             }
