@@ -85,10 +85,12 @@ impl Canvas<'_> {
         Some(self.sight.clip(from, to)?.map(|(at, _)| self.screen(at)))
     }
 
-    /// Draws a line over a wider one, so that it can be seen on any ground.
+    /// Draws a line over a wider one, so that it can be seen on any ground; a thin one alone, as a thousand faint rays would
+    /// darken the scene.
     fn stroke(&self, line: [Pos2; 2], width: f32, color: Color32, opacity: f32) {
         let halo = if color == DARK { Color32::from_gray(150) } else { halo(self.visuals) };
-        for (width, color) in [(width + 2.0, halo), (width, color)] {
+        let both = [(width + 2.0, halo), (width, color)];
+        for (width, color) in both.into_iter().skip(usize::from(width < 1.0)) {
             self.painter.line_segment(line, Stroke::new(width, color.gamma_multiply(opacity)));
         }
     }
@@ -107,9 +109,7 @@ impl Canvas<'_> {
             let color = match segment.end {
                 _ if is_broken => ink(self.visuals, BROKEN),
                 End::Dark => DARK,
-                End::Hit | End::Leaves | End::Light | End::Occluder => {
-                    ink(self.visuals, kind_color(ray))
-                }
+                _ => ink(self.visuals, kind_color(ray)),
             };
             let whole = [([0.0, 1.0], false)];
             let runs = rays.runs.and_then(|runs| runs.get(index)).map_or(&whole[..], Vec::as_slice);
@@ -122,13 +122,7 @@ impl Canvas<'_> {
                         self.painter.extend(Shape::dashed_line(&line, pen, 7.0, 6.0));
                         continue;
                     }
-                    if weight > 0.0 || is_lit || is_broken {
-                        self.stroke(line, width, color, opacity);
-                    } else {
-                        // without the wider one: a thousand faint rays would darken the scene
-                        let pen = Stroke::new(width, color.gamma_multiply(opacity));
-                        self.painter.line_segment(line, pen);
-                    }
+                    self.stroke(line, width, color, opacity);
                     drawn.push((segment.ray, line));
                 }
             }
