@@ -28,8 +28,7 @@ impl Software {
             self.textures.insert(id, Texture { image: (*new).clone(), sharp });
             return;
         };
-        let texture = self.textures.get_mut(&id).expect("a texture is made before it changes");
-        let texture = &mut texture.image;
+        let texture = &mut self.textures.get_mut(&id).expect("made before it changes").image;
         for row in 0..new.size[1] {
             let at = (y + row) * texture.size[0] + x;
             let line = &new.pixels[row * new.size[0]..][..new.size[0]];
@@ -84,20 +83,14 @@ fn triangle(
         return;
     }
     let source = |weights: [f32; 3]| -> [f32; 4] {
-        let mix =
-            |of: fn(&Vertex) -> f32| -> f32 { (0..3).map(|i| weights[i] * of(&corners[i])).sum() };
-        let texel = sample(texture, mix(|v| v.uv.x), mix(|v| v.uv.y));
-        let tint: [fn(&Vertex) -> f32; 4] = [
-            |v| v.color.r().into(),
-            |v| v.color.g().into(),
-            |v| v.color.b().into(),
-            |v| v.color.a().into(),
-        ];
-        std::array::from_fn(|i| texel[i] * mix(tint[i]) / 255.0)
+        let mix = |of: &dyn Fn(&Vertex) -> f32| -> f32 {
+            (0..3).map(|i| weights[i] * of(&corners[i])).sum()
+        };
+        let texel = sample(texture, mix(&|v| v.uv.x), mix(&|v| v.uv.y));
+        std::array::from_fn(|i| texel[i] * mix(&|v| v.color.to_array()[i].into()) / 255.0)
     };
     // most triangles have one colour: it is found once
-    let look = |vertex: &Vertex| (vertex.uv, vertex.color);
-    let is_plain = corners.iter().all(|vertex| look(vertex) == look(&corners[0]));
+    let is_plain = corners.iter().all(|v| (v.uv, v.color) == (corners[0].uv, corners[0].color));
     let plain = is_plain.then(|| source([1.0, 0.0, 0.0]));
     let low = a.min(b).min(c).max(clip_min).max(Pos2::ZERO);
     let high = a.max(b).max(c).min(clip_max);
@@ -122,8 +115,7 @@ fn triangle(
     }
 }
 
-fn sample(Texture { image, sharp }: &Texture, u: f32, v: f32) -> [f32; 4] {
-    let texture = image;
+fn sample(Texture { image: texture, sharp }: &Texture, u: f32, v: f32) -> [f32; 4] {
     let neighbours = |t: f32, size: usize| {
         let at = (t * size as f32 - 0.5).clamp(0.0, (size - 1) as f32);
         let at = if *sharp { at.round() } else { at };

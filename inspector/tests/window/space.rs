@@ -201,9 +201,8 @@ fn what_is_pointed_at_is_outlined() {
     let world = built(&small_glass_sphere());
     let red = world.objects().iter().find(|object| &*object.name == "red sphere").expect("red");
     let middle = place(&window, red.shape.bounds().center());
-    let row = window.get_by_label("red sphere").rect().center();
     let before = window.render().expect("drawn");
-    window.hover_at(row);
+    window.hover_at(window.get_by_label("red sphere").rect().center());
     settle(&mut window);
     let after = window.render().expect("drawn");
     let around = area(&window).intersect(Rect::from_center_size(middle, vec2(600.0, 600.0)));
@@ -214,8 +213,7 @@ fn what_is_pointed_at_is_outlined() {
     assert!(changed.len() > 100, "{} pixels of an outline", changed.len());
     let near = |[x, y]: &&[u32; 2]| pos2(*x as f32, *y as f32).distance(middle) < 12.0;
     assert_eq!(changed.iter().find(near), None);
-    let glass = window.get_by_label("glass sphere").rect().center();
-    window.hover_at(glass);
+    window.hover_at(window.get_by_label("glass sphere").rect().center());
     settle(&mut window);
     let other = window.render().expect("drawn");
     let kept = changed.iter().filter(|[x, y]| other.get_pixel(*x, *y) == after.get_pixel(*x, *y));

@@ -7,32 +7,25 @@ use serde_json::{Value, json};
 use super::super::handed;
 use super::super::mistakes::{self, Mistake, same, tells};
 use super::super::probe::ours;
-use super::super::questions::{AsAnswer, mistakes as coded};
+use super::super::questions::mistakes as coded;
 use super::Leaf;
 
-/// The mistakes that give what stands in one place of their answer.
+/// The mistakes that give just the numbers that stand in one place of their answer, or what is no number there, such as 0/0.
 pub fn of_leaf(
     question: &Value,
     leaf: &Leaf,
     answer: &Value,
     theirs: &Value,
 ) -> Vec<&'static Mistake> {
-    match (leaf.of(theirs), leaf.right.numbers()) {
-        (Some(theirs), Some(_)) if leaf.is_nan_in(theirs) => of_nan(question, leaf, answer),
-        (Some(theirs), Some(right)) => leaf
-            .numbers_in(theirs)
-            .map_or(Vec::new(), |theirs| of_numbers(question, leaf, answer, (&theirs, right))),
-        _ => Vec::new(),
+    let numbers = leaf.of(theirs).zip(leaf.right.numbers());
+    let Some((theirs, right)) = numbers else { return Vec::new() };
+    let coded = coded(name(question)).answers.iter();
+    let coded =
+        coded.filter_map(|(mistake, of)| Some((*mistake, of(question, &leaf.field, answer)?)));
+    if leaf.is_nan_in(theirs) {
+        return coded.filter(|(_, it)| it.iter().any(|x| x.is_nan())).map(|(it, _)| it).collect();
     }
-}
-
-/// The mistakes that give just these numbers.
-fn of_numbers(
-    question: &Value,
-    leaf: &Leaf,
-    answer: &Value,
-    (theirs, right): (&[f64], &[f64]),
-) -> Vec<&'static Mistake> {
+    let Some(theirs) = &leaf.numbers_in(theirs) else { return Vec::new() };
     let mut found = match is_color(question, &leaf.field) {
         // a wrong cell of a texture has another of its colours, whatever that looks like
         _ if question.get("texture").is_some() => Vec::new(),
@@ -47,9 +40,6 @@ fn of_numbers(
     }
     let others = mistaken(question, answer);
     let others = others.iter().filter_map(|(mistake, answer)| Some((*mistake, of_leaf(answer)?)));
-    let coded = coded(name(question)).answers.iter();
-    let coded =
-        coded.filter_map(|(mistake, of)| Some((*mistake, of(question, &leaf.field, answer)?)));
     let gives = |other: &[f64]| tells(other, theirs, right);
     found.extend(others.chain(coded).filter(|(_, it)| gives(it)).map(|(mistake, _)| mistake));
     found
@@ -65,18 +55,13 @@ pub fn of_answer(question: &Value, right: &Value, theirs: &Value) -> Vec<&'stati
 
 /// Whether a field of theirs that is right would be another with this mistake. Only of rays and matrices: the fields of lobes
 /// and lights come from functions of their own, and a ray's point on the film may be told by another rule.
-pub fn is_contradicted(
-    question: &Value,
-    right: &Value,
-    theirs: &Value,
-    mistake: &'static Mistake,
-) -> bool {
+pub fn is_contradicted((question, right): (&Value, &Value), theirs: &Value, it: &Mistake) -> bool {
     let fields = match name(question) {
         "camera_ray" => ["origin", "direction"],
         "transform" => ["matrix", "inverse"],
         _ => return false,
     };
-    let others = with(mistake, question, right);
+    let others = with(it, question, right);
     let differs = |other: &Value| {
         fields.iter().any(|field| {
             let alike = |a: &Value, b: &Value| is_alike(&a[field], &b[field], &b[field]);
@@ -84,15 +69,6 @@ pub fn is_contradicted(
         })
     };
     !others.is_empty() && others.iter().all(differs)
-}
-
-/// The mistakes whose value is no number here, such as 0/0.
-fn of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
-    let is_cause = |(mistake, alternative): &AsAnswer| {
-        let other = alternative(question, &leaf.field, answer)?;
-        other.iter().any(|x| x.is_nan()).then_some(*mistake)
-    };
-    coded(name(question)).answers.iter().filter_map(is_cause).collect()
 }
 
 /// The name of a question.
@@ -108,40 +84,32 @@ fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
             all.push(mistake);
         }
     }
-    let Some(told) = told(question, right) else { return Vec::new() };
     let of = |it: &'static Mistake| {
-        made(it, question, &told).into_iter().map(move |answer| (it, answer))
+        with(it, question, right).into_iter().map(move |answer| (it, answer))
     };
     all.into_iter().flat_map(of).collect()
 }
 
 /// The answers of programs with this mistake, one for each way to make it.
 fn with(mistake: &Mistake, question: &Value, right: &Value) -> Vec<Value> {
-    told(question, right).map_or(Vec::new(), |told| made(mistake, question, &told))
-}
-
-/// What a question says, with our answer as its field `answer`: mistakes change either. Not of those with scenes.
-fn told(question: &Value, right: &Value) -> Option<Value> {
-    let mut told = question[name(question)].clone();
-    let fields = told.as_object_mut().filter(|it| !it.contains_key("scene"))?;
-    fields.insert("answer".to_owned(), right.clone());
-    Some(told)
-}
-
-/// The answers of programs with this mistake to a question, which is told with our answer.
-fn made(mistake: &Mistake, question: &Value, told: &Value) -> Vec<Value> {
     let name = name(question);
+    let data = &question[name];
+    if data.get("scene").is_some() || !data.is_object() {
+        return Vec::new();
+    }
     let by_code = coded(name).questions.iter().filter(|(coded, _)| *coded == mistake);
     let by_code = by_code.filter_map(|(_, change)| {
         let mut changed = question.clone();
         change(&mut changed)?;
         ours(&changed).ok()
     });
+    let mut told = data.clone();
+    told["answer"] = right.clone();
     let answered = |mut changed: Value| {
         let answer = changed.as_object_mut()?.remove("answer")?;
-        if changed == question[name] { Some(answer) } else { ours(&json!({name: changed})).ok() }
+        if changed == *data { Some(answer) } else { ours(&json!({name: changed})).ok() }
     };
-    let ways = mistake.known().ways(told).into_iter().flatten();
+    let ways = mistake.known().ways(&told).into_iter().flatten();
     by_code.chain(ways.filter_map(answered)).collect()
 }
 

@@ -177,7 +177,7 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
     let (mut judgement, leaf) = compare((question, &right), theirs, profile, rules);
     let Judgement::Wrong(wrong) = &mut judgement else { return judgement };
     wrong.clues = leaf.map_or(Vec::new(), |leaf| clues::of_leaf(question, &leaf, &right, theirs));
-    wrong.clues.retain(|it| !clues::is_contradicted(question, &right, theirs, it));
+    wrong.clues.retain(|it| !clues::is_contradicted((question, &right), theirs, it));
     // where there is something and should be nothing, or the other way round, no numbers are compared
     let is_answer = theirs.is_null() || theirs.is_object();
     match is_answer && wrong.theirs.is_empty() && wrong.clues.is_empty() {
