@@ -120,6 +120,14 @@ fn mistakes_in_surfaces_and_spaces_are_found() {
     found(surfaces::planted_here());
 }
 
+/// Law: the mistakes that give 0/0 are named, each. Oracle: the mistake, made on purpose.
+#[test]
+fn what_is_no_number_is_named() {
+    let all = surfaces::planted_here().into_iter().chain(lights_and_cameras::planted_here());
+    let of_nan = [Some(&m::DIVIDED_BY_ZERO_AXIS), Some(&m::DIVIDED_BY_ZERO_ANGLE)];
+    found(all.filter(|it| of_nan.contains(&it.name)).collect());
+}
+
 /// Law: rays that have the right directions of a lens, and start in its middle, are not said to be those of a lens that is a
 /// point. Oracle: our rays, moved to the eye.
 #[test]
