@@ -213,13 +213,9 @@ impl<'a> Running<'a> {
                     })
                     .collect();
                 for ((question, reply), mut judged) in cases.iter().zip(replies).zip(judged) {
-                    let asked = match reply {
-                        Ok(answer) => {
-                            self.common.and(&answer);
-                            vec![(question.clone(), answer)]
-                        }
-                        Err(_) => Vec::new(),
-                    };
+                    let asked: Vec<_> =
+                        reply.ok().into_iter().map(|answer| (question.clone(), answer)).collect();
+                    asked.iter().for_each(|(_, answer)| self.common.and(answer));
                     self.name(&mut judged, &asked);
                     self.count(question, judged, asked);
                 }
@@ -357,10 +353,8 @@ impl<'a> Running<'a> {
         let begun = Instant::now();
         let failure = match is_shrunk && is_short && !options.interrupted.load(Ordering::Relaxed) {
             true => {
-                let as_it_was = first.clone();
-                let judge = self.family.judge;
-                guarded(|| shrink::smaller(subject, judge, first, options.profile))
-                    .unwrap_or(as_it_was)
+                let (judge, profile) = (self.family.judge, options.profile);
+                guarded(|| shrink::smaller(subject, judge, first.clone(), profile)).unwrap_or(first)
             }
             false => first,
         };

@@ -83,7 +83,7 @@ impl KnownMistake {
     /// make it; `None` where there is nothing to change.
     pub fn ways(&self, data: &Value) -> Vec<Option<Value>> {
         let way = |edits: &Vec<Edit>| {
-            // most mistakes change pictures alone: for them no question is copied
+            // no edits change nothing: no question is copied for them
             let mut changed = (!edits.is_empty()).then(|| data.clone())?;
             apply(edits, &mut changed).map(|()| changed)
         };
